@@ -230,6 +230,8 @@ std::vector<Option> options_of(Skeletonize_options& o)
            .of(volume_input),
        Option{"label", &o.volume.label, "L", "the body: voxels of label L"}.at_least(1).of(volume_input),
        Option{"all-labels", &o.volume.has_all_labels, "", "a body and files FILE_L for each label L"}.of(volume_input),
+       Option{"resume", &o.volume.resumes, "", "with --all-labels: leave out labels whose files are there"}.of(
+           volume_input),
        Option{"connectivity", &o.volume.connectivity, "6|26", "number of neighbors of a voxel"}
            .one_of({"6", "26"})
            .of(volume_input),

@@ -70,6 +70,7 @@ struct Volume_options
   std::optional<unsigned> label;   ///< of the body; without it and the others all voxels that are not 0 are of it
   std::optional<double> threshold; ///< voxels of at least this value are of the body
   bool has_all_labels = false;     ///< each label is a body of its own
+  bool resumes = false;            ///< labels whose files are there are left out
   unsigned connectivity = 26;      ///< or 6: the number of neighbors of a voxel
   bool keeps_cavities = false;     ///< as surfaces that get skeletons of their own
 };

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,18 +34,13 @@ CSCD::Voxel_selection selection_of(const Volume_options& options)
   return result;
 }
 
-std::vector<CSCD::Voxel_surface> read_surfaces(const Skeletonize_options& options)
+CSCD::Voxel_surface_settings settings_of(const Volume_options& options)
 {
   CSCD::Voxel_surface_settings settings;
   settings.connectivity =
-      options.volume.connectivity == 6 ? CSCD::Voxel_connectivity::six : CSCD::Voxel_connectivity::twenty_six;
-  settings.fills_cavities = !options.volume.keeps_cavities;
-  std::vector<CSCD::Voxel_surface> result =
-      CSCD::read_voxel_surfaces(options.input, selection_of(options.volume), settings);
-  if (result.empty()) {
-    throw CSCD::Input_error(options.input + ": no voxel is of a body; choose another label or threshold");
-  }
-  return result;
+      options.connectivity == 6 ? CSCD::Voxel_connectivity::six : CSCD::Voxel_connectivity::twenty_six;
+  settings.fills_cavities = !options.keeps_cavities;
+  return settings;
 }
 
 /// `filename` with `label` before its ending.
@@ -73,6 +69,19 @@ Skeletonize_options options_of_body(const Skeletonize_options& options, std::uin
   return result;
 }
 
+/// Whether `options` name files, and all are there.
+bool is_done(Skeletonize_options options)
+{
+  std::vector<std::string> files = options.outputs;
+  for (const auto& [option, file] : other_files(options)) {
+    if (!file->empty()) {
+      files.push_back(*file);
+    }
+  }
+  return !files.empty() &&
+         std::all_of(files.begin(), files.end(), [](const std::string& file) { return std::filesystem::exists(file); });
+}
+
 } // namespace
 
 bool is_volume(const Skeletonize_options& options)
@@ -97,28 +106,48 @@ void check_volume_options(const Skeletonize_options& options)
   if (volume.has_all_labels && number_of_results_on_standard_output(options) > 0) {
     throw Usage_error("--all-labels: has several results of a kind, which cannot go to standard output; name files");
   }
+  const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
+  if (volume.resumes && (!volume.has_all_labels || has_node_volume)) {
+    throw Usage_error(std::string("--resume: ") + (has_node_volume
+                                                       ? "a volume of nodes needs all labels; leave it out"
+                                                       : "continues --all-labels; add that, or leave it out"));
+  }
 }
 
 void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
                         const Skeletonize_body& skeletonize_body)
 {
-  std::vector<CSCD::Voxel_surface> surfaces = read_surfaces(options);
   const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
+  std::vector<CSCD::Voxel_surface> surfaces; // for a volume of nodes
   std::vector<std::vector<std::uint32_t>> node_of_vertex;
-  for (CSCD::Voxel_surface& surface : surfaces) {
+  bool is_empty = true;
+  const auto skeletonize_surface = [&](CSCD::Voxel_surface&& surface) {
+    is_empty = false;
+    const Skeletonize_options options_of_this = options_of_body(options, surface.label);
+    if (options.volume.resumes && is_done(options_of_this)) {
+      return;
+    }
     surface.turn_cavities();
     surface.pairing = {};
-    // As many labels as there are need not be in memory twice.
     Input body =
         make_input(has_node_volume ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
     body.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
-    const Skeletonization_result result = skeletonize_body(files, body, options_of_body(options, surface.label));
+    const Skeletonization_result result = skeletonize_body(files, body, options_of_this);
+    if (options.volume.has_all_labels) {
+      files.publish();
+    }
     if (has_node_volume) {
       node_of_vertex.push_back(assigned_surface(body, result.skeleton).node_of_vertex);
       for (std::uint32_t& number : node_of_vertex.back()) {
         ++number; // 0 where there is none
       }
+      surfaces.push_back(std::move(surface));
     }
+  };
+  CSCD::for_each_voxel_surface(options.input, selection_of(options.volume), settings_of(options.volume),
+                               skeletonize_surface);
+  if (is_empty) {
+    throw CSCD::Input_error(options.input + ": no voxel is of a body; choose another label or threshold");
   }
   for (const std::string& output : options.outputs) {
     if (is_node_volume(output)) {

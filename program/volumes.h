@@ -27,8 +27,9 @@ void check_volume_options(const Skeletonize_options& options);
 using Skeletonize_body =
     std::function<Skeletonization_result(CSCD::File_group& files, Input& body, const Skeletonize_options& options)>;
 
-/// Reads the surfaces of the bodies in a volume, calls `skeletonize_body` for each, with a label in the names of the
-/// files if there is one for each label, and writes volumes of node numbers; all appear when `files` are published.
+/// Reads the surfaces of the bodies in a volume, calls `skeletonize_body` for each after its last slice, and writes
+/// volumes of node numbers. If each label is a body, the names of the files hold it, and its files are published before
+/// the next label begins.
 /// \throw `CSCD::File_error`, `CSCD::Input_error`
 void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
                         const Skeletonize_body& skeletonize_body);

@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <locale>
@@ -38,6 +39,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -799,21 +801,80 @@ Volume read_volume(const std::string& filename, const Voxel_selection& selection
   return result;
 }
 
-std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, const Voxel_selection& selection,
-                                               const Voxel_surface_settings& settings)
+namespace {
+
+/// The labels that occur in each slice and not in a later one, in ascending order.
+std::vector<std::vector<std::uint32_t>> labels_of_last_slices(const std::string& filename,
+                                                              const Voxel_selection& selection)
 {
   Volume_reader reader(filename, selection);
-  try {
-    Voxel_surface_builder builder(reader.grid(), settings);
-    std::vector<std::uint32_t> slice;
-    for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
-      reader.read_slice(slice);
-      builder.push_slice(slice.data());
+  std::unordered_map<std::uint32_t, std::size_t> last_slice;
+  std::vector<std::uint32_t> slice;
+  for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
+    reader.read_slice(slice);
+    slice.erase(std::unique(slice.begin(), slice.end()), slice.end());
+    for (const std::uint32_t label : slice) {
+      last_slice[label] = z;
     }
-    return builder.finish();
+  }
+  last_slice.erase(0); // the background
+  std::vector<std::vector<std::uint32_t>> result(reader.grid().size[2]);
+  for (const auto& [label, z] : last_slice) {
+    result[z].push_back(label);
+  }
+  for (std::vector<std::uint32_t>& labels : result) {
+    std::sort(labels.begin(), labels.end());
+  }
+  return result;
+}
+
+/// The result of `work`, with the name of the file before the message of an `Input_error`.
+template <class Work>
+decltype(auto) naming(const std::string& filename, const Work& work)
+{
+  try {
+    return work();
   } catch (const Input_error& error) {
     throw Input_error(filename + ": " + error.what());
   }
+}
+
+} // namespace
+
+void for_each_voxel_surface(const std::string& filename, const Voxel_selection& selection,
+                            const Voxel_surface_settings& settings, const std::function<void(Voxel_surface&&)>& take)
+{
+  std::vector<std::vector<std::uint32_t>> labels_that_end;
+  if (selection.separates_labels) {
+    labels_that_end = labels_of_last_slices(filename, selection);
+  }
+  Volume_reader reader(filename, selection);
+  Voxel_surface_builder builder = naming(filename, [&] { return Voxel_surface_builder(reader.grid(), settings); });
+  std::vector<std::uint32_t> slice;
+  for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
+    reader.read_slice(slice);
+    naming(filename, [&] { builder.push_slice(slice.data()); });
+    if (z > 0 && !labels_that_end.empty()) {
+      for (const std::uint32_t label : labels_that_end[z - 1]) {
+        take(builder.take_surface(label));
+      }
+    }
+  }
+  builder.close();
+  for (const std::uint32_t label : builder.labels()) {
+    take(builder.take_surface(label));
+  }
+}
+
+std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, const Voxel_selection& selection,
+                                               const Voxel_surface_settings& settings)
+{
+  std::vector<Voxel_surface> result;
+  for_each_voxel_surface(filename, selection, settings,
+                         [&](Voxel_surface&& surface) { result.push_back(std::move(surface)); });
+  std::sort(result.begin(), result.end(),
+            [](const Voxel_surface& a, const Voxel_surface& b) { return a.label < b.label; });
+  return result;
 }
 
 } // namespace CSCD

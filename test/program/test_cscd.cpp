@@ -1151,10 +1151,18 @@ TEST_F(Cscd, skeletonizes_each_label_of_a_volume)
   EXPECT_EQ(0, run("skeletonize v.nrrd --threshold 3 -q -o t.graph").status);
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
 
-  // Outputs of the first label do not appear when the second fails.
+  // The files of a label appear together, before the next label begins, and are not made again.
   std::filesystem::create_directory(m_folder.path() / "late_5.json");
   expect_refusal("skeletonize v.nrrd --all-labels -q -o late.graph --report late.json", 2, {"late_5.json", "folder"});
-  EXPECT_FALSE(std::filesystem::exists(m_folder.path() / "late_2.graph"));
+  EXPECT_FALSE(std::filesystem::exists(m_folder.path() / "late_5.graph"));
+  EXPECT_FALSE(content("late_2.json").empty());
+  std::filesystem::remove(m_folder.path() / "late_5.json");
+  m_folder.write("late_2.graph", "kept");
+  EXPECT_EQ(0, run("skeletonize v.nrrd --all-labels --resume -q -o late.graph --report late.json").status);
+  EXPECT_EQ("kept", content("late_2.graph"));
+  EXPECT_TRUE(is_graph_of_a_cycle(content("late_5.graph")));
+  expect_refusal("skeletonize v.nrrd --resume -o x.graph", 1, {"--resume", "--all-labels"});
+  expect_refusal("skeletonize v.nrrd --all-labels --resume -o x.nrrd", 1, {"--resume", "needs all labels"});
   expect_refusal("skeletonize v.nrrd --label 3 -o x.graph", 2, {"v.nrrd", "no voxel"});
   expect_refusal("skeletonize v.nrrd --label 2 --threshold 3", 1, {"exclude"});
   expect_refusal("skeletonize v.nrrd --all-labels -o -", 1, {"standard output"});

@@ -10,6 +10,7 @@
 #include <CSCD/internal/config.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,10 +74,17 @@ bool is_volume_filename(const std::string& filename);
 /// reads a volume into memory. \see Volume_reader
 Volume read_volume(const std::string& filename, const Voxel_selection& selection = {});
 
-/// reads the surfaces of the bodies in a volume that need not fit into memory: only two slices and the surfaces have
-/// to. \see Volume_reader, Voxel_surface_builder \throw File_error, Input_error whose messages name the file
+/// reads the surfaces of the bodies in a volume, in ascending order of their labels. Only two slices and the surfaces
+/// are in memory. \see Volume_reader, Voxel_surface_builder \throw File_error, Input_error whose messages name the file
 std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, const Voxel_selection& selection = {},
                                                const Voxel_surface_settings& settings = {});
+
+/// reads the surfaces of the bodies in a volume, and passes each to `take` after its last slice, so that the surfaces
+/// of a large volume need not be in memory at once. The bodies come in the order of their last slices, and of their
+/// labels within one. A volume with several labels is read twice, and checked before the first call of `take`.
+/// \throw File_error, Input_error as `read_voxel_surfaces()`; every exception of `take`
+void for_each_voxel_surface(const std::string& filename, const Voxel_selection& selection,
+                            const Voxel_surface_settings& settings, const std::function<void(Voxel_surface&&)>& take);
 
 } // namespace CSCD
 

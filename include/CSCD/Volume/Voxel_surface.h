@@ -235,7 +235,7 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
 } // namespace internal
 
 /// Makes the surfaces of all labels of an image, slice by slice: only two slices are in memory, apart from the
-/// surfaces.
+/// surfaces that have not been taken.
 ///
 /// The surface of a label is made of the faces that its voxels have in common with others. Where more than two such
 /// faces meet in an edge, or several sheets in a corner, edges and corners are doubled so that sheets are joined as the
@@ -271,45 +271,49 @@ public:
   /// \pre there are not as many yet as the volume has
   void push_slice(const std::uint32_t* labels)
   {
-    CGAL_precondition(m_number_of_slices <= m_grid.size[2]);
-    if (m_number_of_slices < m_grid.size[2]) {
-      count_voxels(labels);
-    }
-    for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
-      std::copy_n(labels + y * m_grid.size[0], m_grid.size[0],
-                  m_upper_slice.begin() + std::ptrdiff_t((y + 1) * m_row + 1));
-    }
-    make_corners();
-    emit_faces_between_slices();
-    if (m_number_of_slices > 0) {
-      emit_faces_in_slice();
-    }
-    std::swap(m_lower_slice, m_upper_slice);
-    std::swap(m_lower_corners, m_upper_corners);
-    ++m_number_of_slices;
+    CGAL_precondition(m_number_of_slices < m_grid.size[2]);
+    number_bodies(labels);
+    make_faces();
   }
 
-  /// The surfaces of all labels that occur, in ascending order of the labels.
-  /// \pre all slices have been taken, and this was not called before
-  std::vector<Voxel_surface> finish()
+  /// Closes the surfaces that reach the last slice.
+  /// \pre all slices have been pushed, and this was not called before
+  void close()
   {
     CGAL_precondition(m_number_of_slices == m_grid.size[2]);
-    push_slice(std::vector<std::uint32_t>(m_grid.slice_size(), 0).data());
-    std::sort(m_shapes.begin(), m_shapes.end(), [](const Shape& a, const Shape& b) { return a.label < b.label; });
-    std::vector<Voxel_surface> result;
-    result.reserve(m_shapes.size());
-    for (Shape& shape : m_shapes) {
-      result.push_back(make_surface(std::move(shape)));
+    std::fill(m_upper_slice.begin(), m_upper_slice.end(), 0);
+    make_faces();
+  }
+
+  /// The labels whose surfaces have not been taken, in ascending order.
+  std::vector<std::uint32_t> labels() const
+  {
+    std::vector<std::uint32_t> result;
+    for (const auto& [label, body] : m_body_of_label) {
+      if (!m_shapes[body - 1].triangles.faces.empty()) {
+        result.push_back(label);
+      }
     }
+    std::sort(result.begin(), result.end());
     return result;
   }
 
+  /// The surface of `label`, which leaves the memory of the builder. Linear.
+  /// \pre a slice without `label` has been pushed after its last slice, or the surfaces have been closed; it is one of
+  ///      `labels()`
+  Voxel_surface take_surface(std::uint32_t label)
+  {
+    Shape& shape = m_shapes[m_body_of_label.at(label) - 1];
+    CGAL_precondition(!shape.triangles.faces.empty());
+    return make_surface(std::exchange(shape, Shape()));
+  }
+
 private:
-  /// How the sheets of one label meet in a corner of voxels, which has eight of these around it.
+  /// How the sheets of one body meet in a corner of voxels, which has eight of these around it.
   struct Corner
   {
-    std::uint32_t label;
-    std::uint8_t octants; ///< a bit for each voxel that has the label
+    Index body;
+    std::uint8_t octants; ///< a bit for each voxel of the body
     Index first_vertex;   ///< of the vertices that the corner has become
   };
   /// The corners between two slices.
@@ -324,16 +328,14 @@ private:
     std::size_t number_of_voxels = 0;
     Indexed_triangles triangles; ///< in indices of corners: those of voxels less a half
   };
-  /// An edge of voxels, one of the four voxels around it, and a label.
-  using Edge_copy = std::pair<std::uint64_t, std::uint32_t>;
+  /// An edge of voxels, one of the four voxels around it, and a body.
+  using Edge_copy = std::pair<std::uint64_t, Index>;
   using Place = std::array<std::size_t, 3>;
 
-  Index shape_of(std::uint32_t label)
+  /// The number of the body with `label`, counted from 1.
+  Index body_of(std::uint32_t label)
   {
-    if (m_last_shape != no_index && m_shapes[m_last_shape].label == label) {
-      return m_last_shape;
-    }
-    const auto [entry, is_new] = m_shape_of_label.emplace(label, Index(m_shapes.size()));
+    const auto [entry, is_new] = m_body_of_label.emplace(label, Index(m_shapes.size() + 1));
     if (is_new) {
       if (m_shapes.size() == max_number_of_labels) {
         throw Input_error("the volume has more than " + std::to_string(max_number_of_labels) +
@@ -342,20 +344,38 @@ private:
       m_shapes.emplace_back();
       m_shapes.back().label = label;
     }
-    m_last_shape = entry->second;
-    return m_last_shape;
+    return entry->second;
   }
 
-  void count_voxels(const std::uint32_t* labels)
+  /// Writes the bodies of the voxels to the upper slice, and counts their voxels.
+  void number_bodies(const std::uint32_t* labels)
   {
-    const std::uint32_t* const end = labels + m_grid.slice_size();
-    while (labels != end) {
-      const std::uint32_t* const first = labels;
-      labels = std::find_if(first, end, [first](std::uint32_t label) { return label != *first; });
-      if (*first != 0) {
-        m_shapes[shape_of(*first)].number_of_voxels += std::size_t(labels - first);
+    for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
+      auto body = m_upper_slice.begin() + std::ptrdiff_t((y + 1) * m_row + 1);
+      const std::uint32_t* const end = labels + m_grid.size[0];
+      while (labels != end) {
+        const std::uint32_t* const first = labels;
+        labels = std::find_if(first, end, [first](std::uint32_t label) { return label != *first; });
+        const Index its_body = *first != 0 ? body_of(*first) : 0;
+        if (its_body != 0) {
+          m_shapes[its_body - 1].number_of_voxels += std::size_t(labels - first);
+        }
+        body = std::fill_n(body, labels - first, its_body);
       }
     }
+  }
+
+  /// Makes the faces below and within the upper slice, which becomes the lower one.
+  void make_faces()
+  {
+    make_corners();
+    emit_faces_between_slices();
+    if (m_number_of_slices > 0) {
+      emit_faces_in_slice();
+    }
+    std::swap(m_lower_slice, m_upper_slice);
+    std::swap(m_lower_corners, m_upper_corners);
+    ++m_number_of_slices;
   }
 
   /// Makes the corners below the upper slice.
@@ -365,44 +385,46 @@ private:
     m_upper_corners.first.reserve((m_row - 1) * (m_grid.size[1] + 1) + 1);
     m_upper_corners.corners.clear();
     for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
-      const std::uint32_t* const lower = m_lower_slice.data() + y * m_row;
-      const std::uint32_t* const upper = m_upper_slice.data() + y * m_row;
+      const Index* const lower = m_lower_slice.data() + y * m_row;
+      const Index* const upper = m_upper_slice.data() + y * m_row;
       for (std::size_t x = 0; x + 1 < m_row; ++x) {
         m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
-        const std::array<std::uint32_t, 8> labels{lower[x], lower[x + 1], lower[x + m_row], lower[x + m_row + 1],
-                                                  upper[x], upper[x + 1], upper[x + m_row], upper[x + m_row + 1]};
-        std::uint32_t differences = 0;
-        for (std::size_t i = 1; i < labels.size(); ++i) {
-          differences |= labels[i] ^ labels[0];
+        const std::array<Index, 8> bodies{lower[x], lower[x + 1], lower[x + m_row], lower[x + m_row + 1],
+                                          upper[x], upper[x + 1], upper[x + m_row], upper[x + m_row + 1]};
+        Index differences = 0;
+        for (std::size_t i = 1; i < bodies.size(); ++i) {
+          differences |= bodies[i] ^ bodies[0];
         }
         if (differences != 0) {
-          add_corner(labels, x, y);
+          add_corner(bodies, x, y);
         }
       }
     }
     m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
   }
 
-  /// Adds the corner at a place for each label that is there.
-  void add_corner(const std::array<std::uint32_t, 8>& labels, std::size_t x, std::size_t y)
+  /// Adds the corner at a place for each body that is there.
+  void add_corner(const std::array<Index, 8>& bodies, std::size_t x, std::size_t y)
   {
-    for (std::size_t octant = 0; octant < labels.size(); ++octant) {
-      const std::uint32_t label = labels[octant];
-      if (label == 0 || std::find(labels.begin(), labels.begin() + std::ptrdiff_t(octant), label) !=
-                            labels.begin() + std::ptrdiff_t(octant)) {
+    for (std::size_t octant = 0; octant < bodies.size(); ++octant) {
+      const Index body = bodies[octant];
+      const auto here = bodies.begin() + std::ptrdiff_t(octant);
+      if (body == 0 || std::find(bodies.begin(), here, body) != here) {
         continue;
       }
       unsigned octants = 0;
-      for (unsigned other = 0; other < labels.size(); ++other) {
-        octants |= (labels[other] == label ? 1U : 0U) << other;
+      for (unsigned other = 0; other < bodies.size(); ++other) {
+        octants |= (bodies[other] == body ? 1U : 0U) << other;
       }
-      Shape& shape = m_shapes[shape_of(label)];
+      Shape& shape = m_shapes[body - 1];
       std::vector<Vector_3>& points = shape.triangles.points;
-      m_upper_corners.corners.push_back({label, std::uint8_t(octants), Index(points.size())});
+      m_upper_corners.corners.push_back({body, std::uint8_t(octants), Index(points.size())});
       const internal::Corner_sheets& sheets = m_sheets[octants];
       const Vector_3 place{double(x), double(y), double(m_number_of_slices)};
       if (!sheets.has_tube) {
-        points.insert(points.end(), sheets.number_of_vertices, place);
+        for (unsigned i = 0; i < sheets.number_of_vertices; ++i) {
+          points.push_back(place);
+        }
         continue;
       }
       constexpr double tube_radius = 0.25; // voxels: half way to the middles of edges
@@ -448,21 +470,20 @@ private:
   void emit_faces_in_slice()
   {
     for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
-      const std::uint32_t* const labels = m_lower_slice.data() + (y + 1) * m_row + 1;
+      const Index* const body = m_lower_slice.data() + (y + 1) * m_row + 1;
       for (std::size_t x = 0; x <= m_grid.size[0]; ++x) {
-        const std::uint32_t* const label = labels + x;
         if (y < m_grid.size[1]) {
-          emit_faces(0, {x, y, m_number_of_slices - 1}, *(label - 1), *label);
+          emit_faces(0, {x, y, m_number_of_slices - 1}, body[x - 1], body[x]);
         }
         if (x < m_grid.size[0]) {
-          emit_faces(1, {x, y, m_number_of_slices - 1}, *(label - m_row), *label);
+          emit_faces(1, {x, y, m_number_of_slices - 1}, body[x - m_row], body[x]);
         }
       }
     }
   }
 
-  /// Emits the face between two voxels for both of their labels, if they differ.
-  void emit_faces(int axis, const Place& lower_corner, std::uint32_t below, std::uint32_t above)
+  /// Emits the face between two voxels for both of their bodies, if they differ.
+  void emit_faces(int axis, const Place& lower_corner, Index below, Index above)
   {
     if (below != above && below != 0) {
       emit_face(axis, lower_corner, below, true);
@@ -472,12 +493,12 @@ private:
     }
   }
 
-  const Corner& corner(const Place& place, std::uint32_t label) const
+  const Corner& corner(const Place& place, Index body) const
   {
     const Corner_plane& plane = place[2] == m_number_of_slices ? m_upper_corners : m_lower_corners;
     const std::size_t position = place[1] * (m_row - 1) + place[0];
     Index number = plane.first[position];
-    while (plane.corners[number].label != label) {
+    while (plane.corners[number].body != body) {
       ++number;
     }
     CGAL_assertion(number < plane.first[position + 1]);
@@ -485,10 +506,10 @@ private:
   }
 
   /// \param lower_corner the corner of the face that is least along all axes
-  /// \param is_below whether the voxel with the label is the one before the face
-  void emit_face(int axis, const Place& lower_corner, std::uint32_t label, bool is_below)
+  /// \param is_below whether the voxel of the body is the one before the face
+  void emit_face(int axis, const Place& lower_corner, Index body, bool is_below)
   {
-    Shape& shape = m_shapes[shape_of(label)];
+    Shape& shape = m_shapes[body - 1];
     const bool joins_diagonally = m_settings.connectivity == Voxel_connectivity::twenty_six;
     const auto a = unsigned(axis);
     // Counterclockwise seen from outside: b, then c, around the positive axis, or the other way round.
@@ -502,7 +523,7 @@ private:
       place[c] += square[i][1];
       const unsigned towards_b = 1 - square[i][0]; // on which side of the corner the face is
       const unsigned towards_c = 1 - square[i][1];
-      const Corner& its_corner = corner(place, label);
+      const Corner& its_corner = corner(place, body);
       const internal::Corner_sheets& sheets = m_sheets[its_corner.octants];
       const unsigned octant = towards_b << b | towards_c << c; // before the face
       const unsigned half_axis_b = 2 * b + towards_b;
@@ -519,7 +540,7 @@ private:
         const unsigned turned = octant | (is_below != joins_diagonally ? 0U : 1U) << a;
         const unsigned edge_axis = next_half_axis / 2;
         place[edge_axis] -= (next_half_axis & 1U) != 0 ? 0U : 1U;
-        m_polygon.push_back(middle_of_edge(shape, place, int(edge_axis), turned & ~(1U << edge_axis)));
+        m_polygon.push_back(middle_of_edge(body, place, int(edge_axis), turned & ~(1U << edge_axis)));
       }
     }
     append_polygon(shape, axis, lower_corner);
@@ -528,10 +549,10 @@ private:
   /// The vertex in the middle of an edge where four faces meet, on the sheet that goes around one of its voxels.
   /// \param place where the edge begins
   /// \param octant of the voxel, seen from there
-  Index middle_of_edge(Shape& shape, const Place& place, int axis, unsigned octant)
+  Index middle_of_edge(Index body, const Place& place, int axis, unsigned octant)
   {
     const std::uint64_t position = (place[2] * (m_grid.size[1] + 1) + place[1]) * (m_row - 1) + place[0];
-    const Edge_copy key{(position * 3 + unsigned(axis)) * internal::number_of_octants + octant, shape.label};
+    const Edge_copy key{(position * 3 + unsigned(axis)) * internal::number_of_octants + octant, body};
     const auto found = m_open_middles.find(key);
     if (found != m_open_middles.end()) {
       const Index middle = found->second;
@@ -540,8 +561,9 @@ private:
     }
     Vector_3 point{double(place[0]), double(place[1]), double(place[2])};
     point[axis] += 0.5;
-    shape.triangles.points.push_back(point);
-    const Index middle = Index(shape.triangles.points.size() - 1);
+    std::vector<Vector_3>& points = m_shapes[body - 1].triangles.points;
+    points.push_back(point);
+    const auto middle = Index(points.size() - 1);
     m_open_middles.emplace(key, middle);
     return middle;
   }
@@ -603,16 +625,15 @@ private:
   Volume_grid m_grid;
   Voxel_surface_settings m_settings;
   internal::Corner_sheet_table m_sheets;
-  std::size_t m_row;                        ///< voxels in a row of a padded slice
-  std::vector<std::uint32_t> m_lower_slice; ///< with a border of background, as the next one
-  std::vector<std::uint32_t> m_upper_slice;
+  std::size_t m_row;                ///< voxels in a row of a padded slice
+  std::vector<Index> m_lower_slice; ///< the body of each voxel, 0 for the background, which is around it, too
+  std::vector<Index> m_upper_slice;
   std::size_t m_number_of_slices = 0;        ///< that were taken
   Corner_plane m_lower_corners;              ///< below the lower slice
   Corner_plane m_upper_corners;              ///< between the slices
   std::map<Edge_copy, Index> m_open_middles; ///< of edges with one of two faces made
-  std::vector<Shape> m_shapes;
-  std::unordered_map<std::uint32_t, Index> m_shape_of_label;
-  Index m_last_shape = no_index;
+  std::vector<Shape> m_shapes;               ///< of the bodies, in the order of their numbers
+  std::unordered_map<std::uint32_t, Index> m_body_of_label;
   std::vector<Index> m_polygon;
 };
 
@@ -629,7 +650,12 @@ inline std::vector<Voxel_surface> make_voxel_surfaces(const Volume& volume, cons
   for (std::size_t z = 0; z < volume.grid.size[2]; ++z) {
     builder.push_slice(volume.labels.data() + z * volume.grid.slice_size());
   }
-  return builder.finish();
+  builder.close();
+  std::vector<Voxel_surface> result;
+  for (const std::uint32_t label : builder.labels()) {
+    result.push_back(builder.take_surface(label));
+  }
+  return result;
 }
 
 } // namespace CSCD
