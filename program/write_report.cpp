@@ -364,7 +364,7 @@ std::string printable(const std::string& text)
       result << "\\t";
     } else if (c == '\n') {
       result << "\\n";
-    } else if ((c >= 0 && c < ' ') || c == delete_character) {
+    } else if (static_cast<unsigned char>(c) < ' ' || c == delete_character) {
       result << "\\x" << std::hex << std::setw(2) << std::setfill('0') << int(c);
     } else {
       result << c;
