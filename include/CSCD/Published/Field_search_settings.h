@@ -157,8 +157,7 @@ enum class Weight_rule
 enum class Placement_rule
 {
   centroids, ///< at the centroids of regions by area (algorithm 2, line 13)
-  sections   ///< on meshes as the local method: in the middle of sections across branches, with tips; else towards the
-             ///< middle of separators, with tips
+  sections   ///< as the local method: in the middle of sections across branches, with tips; on meshes only
 };
 
 /// Settings of the search for separators from distance fields, their packing, and nodes.
