@@ -32,10 +32,10 @@
 namespace CSCD {
 
 /// The method as published: distances by the heat method on the intrinsic Delaunay triangulation, the cut locus from
-/// the whole distance field, shortening by edge flips or the variational flow, random sources, the quotient graph of
-/// regions. A model of `SkeletonizationPolicies` for every model of `SkeletonizationSurface`: with `Triangulated_solid`
-/// this is CSCD-M, with `Point_solid` CSCD-PC. The variational flow is for these two only. Slower than `Local_policies`
-/// by an order of magnitude; its time grows with the number of sources times that of vertices.
+/// the whole distance field, shortening by edge flips or, among points, the variational flow, random sources, the
+/// quotient graph of regions. A model of `SkeletonizationPolicies` for every model of `SkeletonizationSurface`: with
+/// `Triangulated_solid` this is CSCD-M, with `Point_solid` CSCD-PC. Slower than `Local_policies` by an order of
+/// magnitude; its time grows with the number of sources times that of vertices.
 class Published_policies
 {
 public:

@@ -117,13 +117,6 @@ enum class Target_rule
   nearest_along_surface ///< minimum geodesic distance: on a wide body that may be around another limb (supplement, J.1)
 };
 
-/// How the published method shortens the loop of a source.
-enum class Shortening_rule
-{
-  edge_flips, ///< to a geodesic, by flips of intrinsic edges (appendix E)
-  variational ///< by the variational flow, projected to the surface (appendix F)
-};
-
 /// Where the published method chooses the target of a source.
 enum class Cut_locus_rule
 {
@@ -165,8 +158,6 @@ struct Field_search_settings
 {
   /// Which cut point is the target.
   Target_rule target_rule = Target_rule::nearest_in_space;
-  /// By default edge flips on meshes and the variational flow among points, where edges cannot be flipped.
-  std::optional<Shortening_rule> shortening_rule;
 
   /// The points where targets are chosen.
   Cut_locus_rule cut_locus_rule = Cut_locus_rule::points;
