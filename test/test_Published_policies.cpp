@@ -199,8 +199,6 @@ TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
   settings.cut_locus_rule = CSCD::Cut_locus_rule::tree;
   EXPECT_EQ(count_tips_of_limbs(settings), 3u);
   expect_two_cycles_of_two_handles(settings);
-  settings.cut_locus_policy = CSCD::Growing_policy();
-  expect_two_cycles_of_two_handles(settings);
 }
 
 /// Fewer separators overlap, so that more are packed and there may be more tips.

@@ -184,7 +184,6 @@ public:
     m_cut_locus.criterion = {settings.laplacian_threshold.value_or(criterion.laplacian_threshold),
                              settings.angle_threshold.value_or(criterion.angle_threshold)};
     m_has_handles = m_cut_locus_rule == Cut_locus_rule::tree && has_handles(Measures::frames_of(basis).triangulation());
-    m_cut_locus.policy = settings.cut_locus_policy;
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
   }
   Field_separator_finder(const Field_separator_finder&) = delete;
