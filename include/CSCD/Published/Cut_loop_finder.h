@@ -10,7 +10,6 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -32,126 +31,29 @@
 
 namespace CSCD::internal {
 
-/// Traces paths along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
-/// must lead down. Where none does, the path continues along a shortest path to a vertex that is nearer than all
-/// before: so it has no cycle, and ends at the source whatever the field is like. One object serves one thread, and
-/// keeps working memory of the size of the surface. Paths are halfedges, each from where the one before leads to.
-/// \tparam Frames know the neighbors of a vertex: `Tangent_frames` of a surface without borders, or `Point_frames`
-template <class Frames>
-class Descent
+/// Appends to `path` the halfedges of a path from `vertex` to `source`, each step to the nearest neighbor (supplement,
+/// Alg. 4). Unlike there, a step must lead down: so no vertex is passed twice. O(k) for k steps and their edges.
+/// \return false, with steps to a minimum of the distance, if `source` is not reached
+template <class Measures>
+bool descend(const Measures& measures, Index vertex, Index source, std::vector<Index>& path)
 {
-public:
-  /// \param frames is referred to and must outlive this object
-  explicit Descent(const Frames& frames)
-      : m_frames(frames), m_front(frames.triangulation().number_of_vertices()),
-        m_step_to(frames.triangulation().number_of_vertices())
-  {
-  }
-
-  /// Lets the paths from now on cost about as much as `number_of_steps` steps in all.
-  void set_budget(std::size_t number_of_steps) { m_budget = number_of_steps; }
-  /// Whether the budget is spent; paths then end at once.
-  bool is_exhausted() const { return m_budget == 0; }
-
-  /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
-  /// edges; O(m log m) for the m vertices around a minimum that is not a source.
-  /// \return false, with steps to somewhere, if `source` is not connected with `vertex` or the budget is spent
-  template <class Measures>
-  bool operator()(const Measures& measures, Index vertex, Index source, std::vector<Index>& path)
-  {
-    const std::size_t begin = path.size();
-    while (vertex != source) {
-      spend(1);
-      if (is_exhausted()) {
-        return false;
+  while (vertex != source) {
+    Index best = no_index;
+    double min_distance = measures.distance(vertex);
+    measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+      if (neighbor == source || measures.distance(neighbor) < min_distance) {
+        min_distance = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
+        best = halfedge;
       }
-      Index best = no_index;
-      double min_distance = measures.distance(vertex);
-      m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-        if (neighbor == source || measures.distance(neighbor) < min_distance) {
-          min_distance = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
-          best = halfedge;
-        }
-      });
-      if (best != no_index) {
-        path.push_back(best);
-        vertex = m_frames.triangulation().target(best);
-      } else {
-        vertex = leave_minimum(measures, vertex, source, begin, path);
-        if (vertex == no_index) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-private:
-  /// The cost of a vertex that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
-  static constexpr std::size_t steps_per_spread_vertex = 16;
-
-  void spend(std::size_t number_of_steps) { m_budget -= std::min(m_budget, number_of_steps); }
-
-  /// Spreads from the minimum `vertex` along edges until the source or a nearer vertex comes, and goes there.
-  /// \return that vertex, or `no_index` if there is none
-  template <class Measures>
-  Index leave_minimum(const Measures& measures, Index vertex, Index source, std::size_t begin, std::vector<Index>& path)
-  {
-    const double record = measures.distance(vertex);
-    m_front.clear();
-    m_front.reach(vertex, 0);
-    Index found = no_index;
-    m_front.spread([&](Index at, float way) {
-      spend(steps_per_spread_vertex);
-      if (!is_exhausted() && (at == source || measures.distance(at) < record)) {
-        found = at;
-      }
-      if (found != no_index || is_exhausted()) {
-        m_front.clear(); // ends the search
-        return;
-      }
-      m_frames.for_each_neighbor(at, [&](Index neighbor, Index halfedge) {
-        if (m_front.reach(neighbor, way + float(m_frames.length(halfedge)))) {
-          m_step_to[neighbor] = halfedge;
-        }
-      });
     });
-    if (found != no_index) {
-      append_detour(vertex, found, begin, path);
+    if (best == no_index) {
+      return false;
     }
-    return found;
+    path.push_back(best);
+    vertex = measures.frames().triangulation().target(best);
   }
-
-  /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, the part between is left
-  /// out.
-  void append_detour(Index from, Index to, std::size_t begin, std::vector<Index>& path)
-  {
-    const auto& triangulation = m_frames.triangulation();
-    m_detour.clear();
-    for (Index at = to; at != from; at = triangulation.origin(m_step_to[at])) {
-      m_detour.push_back(m_step_to[at]);
-    }
-    std::reverse(m_detour.begin(), m_detour.end());
-    for (const Index step : m_detour) {
-      const Index end = triangulation.target(step);
-      spend(path.size() - begin);
-      const auto meets = [&](Index earlier) { return triangulation.origin(earlier) == end; };
-      const auto first = path.begin() + std::ptrdiff_t(begin);
-      const auto meeting = std::find_if(first, path.end(), meets);
-      if (meeting != path.end()) {
-        path.erase(meeting, path.end());
-      } else {
-        path.push_back(step);
-      }
-    }
-  }
-
-  const Frames& m_frames;
-  Dijkstra_search m_front;
-  std::vector<Index> m_step_to; ///< the last halfedge on the way of the front to a vertex
-  std::vector<Index> m_detour;
-  std::size_t m_budget = std::numeric_limits<std::size_t>::max(); ///< in steps
-};
+  return true;
+}
 
 /// Splits the faces around a cut point into the two sides that fronts come from: the split of their cycle into two arcs
 /// with the greatest angle between the sums of unit gradients that converge.
@@ -338,15 +240,14 @@ public:
 
   /// \param points the positions of the vertices; as `frames`, it is referred to and must outlive this object
   Cut_loop_finder(const Frames& frames, const std::vector<Vector_3>& points)
-      : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_descent(frames),
-        m_on_first(points.size())
+      : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_on_first(points.size())
   {
     CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
   }
 
   /// Finds the loop of a source at `source_point` with the cut points where `is_cut(vertex)` holds. The source is in a
-  /// face at the vertex `source`, the end of the paths. O(n log n) for n vertices: where the field has minima
-  /// everywhere, as on faces of extreme shape, it gives up.
+  /// face at the vertex `source`, the end of the paths. O(n + k log n) for n vertices, of which k come before the
+  /// target.
   template <class Predicate>
   void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
             const Predicate& is_cut, Cut_loop& loop)
@@ -354,31 +255,18 @@ public:
     m_source_point = source_point;
     loop.outcome = Cut_loop_outcome::no_cut_point;
     loop.halfedges.clear();
-    m_descent.set_budget(max_steps_per_vertex * m_points.size());
-    double begin = 0;
-    double end = first_shell * m_frames.mean_edge_length();
-    bool has_more = true;
-    for (; has_more && begin < end && loop.outcome != Cut_loop_outcome::found && !m_descent.is_exhausted();
-         begin = std::exchange(end, 2 * end)) {
-      has_more = collect_candidates(measures, rule, begin, end);
-      while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found && !m_descent.is_exhausted()) {
-        std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
-        const Index vertex = m_candidates.back().second;
-        m_candidates.pop_back();
-        if (is_cut(vertex)) {
-          loop.outcome = try_target(measures, source, vertex, loop);
-        }
+    collect_candidates(measures, rule);
+    while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found) {
+      std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+      const Index vertex = m_candidates.back().second;
+      m_candidates.pop_back();
+      if (is_cut(vertex)) {
+        loop.outcome = try_target(measures, source, vertex, loop);
       }
     }
   }
 
 private:
-  /// The steps of all paths of a source, for each vertex of the surface. On meshes of 10,000 and 50,000 vertices no
-  /// source took more than 2 and 4; on faces of extreme shape it can be thousands.
-  static constexpr std::size_t max_steps_per_vertex = 16;
-  /// Candidates are ordered shell by shell, each twice as thick as all before; the first one, in mean edge lengths, has
-  /// the targets of limbs of usual meshes.
-  static constexpr double first_shell = 16;
   /// A target is farther from its source than this many mean edge lengths: nearer, the field of the heat method is
   /// inaccurate.
   static constexpr double min_distance = 4;
@@ -391,26 +279,19 @@ private:
   /// ... or to the mean edge length: paths along edges join a few edges before the source, wherever they come from.
   static constexpr double max_edges_of_stem = 3;
 
-  /// Makes a heap of the vertices that are far enough from the source, and at a distance in [begin, end) by the rule.
-  /// \return whether there are vertices at `end` or beyond
-  bool collect_candidates(const Measures& measures, Target_rule rule, double begin, double end)
+  /// Makes a heap of the vertices that are far enough from the source, the nearest by `rule` first.
+  void collect_candidates(const Measures& measures, Target_rule rule)
   {
     m_candidates.clear();
-    bool has_more = false;
     const double min_key = min_distance * m_frames.mean_edge_length();
     for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-      if (!(measures.is_reached(vertex) && measures.distance(vertex) >= min_key)) {
-        continue;
-      }
-      const double key = rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_source_point).norm()
-                                                               : measures.distance(vertex);
-      has_more = has_more || key >= end;
-      if (key >= begin && key < end) {
-        m_candidates.emplace_back(key, vertex);
+      if (measures.is_reached(vertex) && measures.distance(vertex) >= min_key) {
+        m_candidates.emplace_back(rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_source_point).norm()
+                                                                        : measures.distance(vertex),
+                                  vertex);
       }
     }
     std::make_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
-    return has_more;
   }
 
   /// Traces the loop of `source` through `target`.
@@ -427,7 +308,7 @@ private:
     }
     for (std::size_t side = 0; side < 2; ++side) {
       m_path[side].assign(1, (*directions)[side]);
-      if (!m_descent(measures, m_triangulation.target(m_path[side].front()), source, m_path[side])) {
+      if (!descend(measures, m_triangulation.target(m_path[side].front()), source, m_path[side])) {
         return Cut_loop_outcome::not_connected;
       }
     }
@@ -496,7 +377,6 @@ private:
   const Frames& m_frames;
   const Triangulation& m_triangulation;
   const std::vector<Vector_3>& m_points;
-  Descent<Frames> m_descent;
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
   std::array<std::vector<Index>, 2> m_path;           ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
