@@ -346,8 +346,6 @@ public:
 
   /// \name Relation to the input
   /// @{
-  /// Whether the edge runs along an edge of the input.
-  bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
   /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.
   Index input_halfedge(Index halfedge) const { return m_halfedges[halfedge].input_halfedge; }
 
