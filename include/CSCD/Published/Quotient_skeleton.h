@@ -17,29 +17,14 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// The sides of `face`, one after the other.
-/// \tparam Triangulation a model of `SurfaceTriangulation`
-template <class Triangulation>
-std::array<Index, 3> face_halfedges(const Triangulation& /* surface */, Index face)
-{
-  return {3 * face, 3 * face + 1, 3 * face + 2};
-}
-inline std::array<Index, 3> face_halfedges(const Point_complex& surface, Index face)
-{
-  return surface.face_halfedges(face);
-}
 
 /// For each part of the network between regions, the regions of the border cycles around it; linear.
 /// \param networks of edges, joined where they are connected between regions
@@ -64,190 +49,47 @@ std::vector<std::vector<Index>> collect_meetings(const Surface& surface, const R
   return meetings;
 }
 
-/// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept.
+/// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept. Near linear.
 ///
 /// Regions meet in a network of curves between them. Where a connected part of the network is one closed curve, it has
 /// a region on either side, which an edge joins. Where curves meet, at faces that have corners in three regions, all
 /// regions around that part of the network meet, and a junction joins them in place of a clique of edges. A region
 /// counts for every one of its border cycles: three regions around a thin handle, which meet in three separate curves,
-/// stay a cycle. Curves that end at a hole of the surface go on across it, two and two where they are between the same
-/// regions. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number of
-/// the graph is the genus of the surface.
-class Quotient_graph
+/// stay a cycle. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number
+/// of the graph is the genus of the surface.
+/// \tparam Surface a model of `SurfaceTriangulation`
+/// \param region a function that returns the region of a vertex
+/// \return for each connected part of the network, the regions of the border cycles around it, two at least; a region
+///         with several cycles there stands several times
+template <class Surface, class Region>
+std::vector<std::vector<Index>> region_meetings(const Surface& surface, const Region& region)
 {
-public:
-  /// Computes the graph; near linear.
-  /// \param region a function that returns the region of a vertex
-  template <class Surface, class Region>
-  Quotient_graph(const Surface& surface, const Region& region)
-      : m_networks(surface.number_of_halfedges()), m_cycles(surface.number_of_halfedges())
-  {
-    const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
-    for (Index face = 0; face < surface.number_of_faces(); ++face) {
-      const std::array<Index, 3> sides = face_halfedges(surface, face);
-      for (std::size_t k = 0; k < 3; ++k) {
-        join_at_corner(surface, is_between, sides[(k + 2) % 3], sides[k], sides[(k + 1) % 3]);
-      }
-    }
-    join_at_holes(surface, region, is_between);
-    m_meetings = collect_meetings(surface, region, m_networks, m_cycles);
-  }
-
-  /// For each connected part of the network, the regions of the border cycles around it, two at least; a region with
-  /// several cycles there stands several times.
-  const std::vector<std::vector<Index>>& meetings() const { return m_meetings; }
-
-private:
-  /// Joins edges and border cycles that are connected within a face, at the corner that its side `h` leaves. The border
-  /// cycle of a region has a point on every halfedge that leaves the region, named after the halfedge.
-  template <class Surface, class Predicate>
-  void join_at_corner(const Surface& surface, const Predicate& is_between, Index before, Index h, Index after)
-  {
+  Disjoint_sets networks(surface.number_of_halfedges()); // of edges between regions
+  // Of halfedges that leave a region: its border cycle has a point on each of them.
+  Disjoint_sets cycles(surface.number_of_halfedges());
+  const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Index before = Surface::previous(h);
     if (is_between(h) && is_between(before)) {
-      m_networks.join(edge_of(surface, h), edge_of(surface, before));
-      m_cycles.join(h, surface.twin(before));
-      if (!is_between(after)) {
+      networks.join(edge_of(surface, h), edge_of(surface, before));
+      cycles.join(h, surface.twin(before));
+      if (!is_between(Surface::next(h))) {
         // The corner lies alone in its region; the other two are on the other side.
-        m_cycles.join(surface.twin(h), before);
+        cycles.join(surface.twin(h), before);
       }
     }
   }
-
-  /// An edge of a hole between two regions, where a curve of the network ends, seen from one of them.
-  struct Hole_end
-  {
-    Index hole; ///< a vertex that stands for it
-    Index from; ///< a region
-    Index to;   ///< the other one
-    Index halfedge;
-  };
-  using Hole_ends = std::vector<Hole_end>;
-
-  /// All ends, by hole and regions; holes that touch are one.
-  template <class Surface, class Region, class Predicate>
-  static Hole_ends find_hole_ends(const Surface& surface, const Region& region, const Predicate& is_between)
-  {
-    std::vector<Index> number_of_faces(surface.number_of_halfedges(), 0);
-    for (Index face = 0; face < surface.number_of_faces(); ++face) {
-      for (const Index h : face_halfedges(surface, face)) {
-        ++number_of_faces[edge_of(surface, h)];
-      }
-    }
-    Disjoint_sets holes(surface.number_of_vertices());
-    Hole_ends ends;
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      if (number_of_faces[edge_of(surface, h)] == 1) {
-        holes.join(surface.origin(h), surface.target(h));
-        if (is_between(h)) {
-          ends.push_back({0, region(surface.origin(h)), region(surface.target(h)), h});
-        }
-      }
-    }
-    for (Hole_end& end : ends) {
-      end.hole = holes.find(surface.origin(end.halfedge));
-    }
-    std::sort(ends.begin(), ends.end(), [](const Hole_end& a, const Hole_end& b) {
-      return std::tie(a.hole, a.from, a.to, a.halfedge) < std::tie(b.hole, b.from, b.to, b.halfedge);
-    });
-    return ends;
-  }
-
-  template <class Surface, class Region, class Predicate>
-  void join_at_holes(const Surface& surface, const Region& region, const Predicate& is_between)
-  {
-    const Hole_ends ends = find_hole_ends(surface, region, is_between);
-    for (auto begin = ends.begin(); begin != ends.end();) {
-      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.hole != begin->hole; });
-      join_at_hole(surface, Hole_ends(begin, end));
-      begin = end;
-    }
-  }
-
-  /// Joins the ends at one hole. A region with only one neighbor at the hole is a finger of that neighbor into the
-  /// hole, and the curve between the two goes on around the tip of the finger. Without the finger, its neighbor may be
-  /// one. The ends that remain meet in a point.
-  template <class Surface>
-  void join_at_hole(const Surface& surface, Hole_ends ends)
-  {
-    for (auto finger = find_finger(ends); finger != ends.end(); finger = find_finger(ends)) {
-      const Index tip = finger->from;
-      const auto rest = std::stable_partition(ends.begin(), ends.end(),
-                                              [tip](const Hole_end& end) { return end.from != tip && end.to != tip; });
-      join_ends(surface, Hole_ends(rest, ends.end()));
-      ends.erase(rest, ends.end());
-    }
-    join_ends(surface, ends);
-  }
-
-  /// The first end of a region all of whose ends lead to the same other one. \pre `ends` are sorted
-  static Hole_ends::iterator find_finger(Hole_ends& ends)
-  {
-    for (auto begin = ends.begin(); begin != ends.end();) {
-      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.from != begin->from; });
-      if (begin->to == std::prev(end)->to) {
-        return begin;
-      }
-      begin = end;
-    }
-    return ends.end();
-  }
-
-  /// Joins all of `ends`, and the border cycles of each region there. \pre they are sorted
-  template <class Surface>
-  void join_ends(const Surface& surface, const Hole_ends& ends)
-  {
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      m_networks.join(edge_of(surface, ends[i - 1].halfedge), edge_of(surface, ends[i].halfedge));
-      if (ends[i - 1].from == ends[i].from) {
-        m_cycles.join(ends[i - 1].halfedge, ends[i].halfedge);
-      }
-    }
-  }
-
-  Disjoint_sets m_networks; ///< of edges between regions
-  Disjoint_sets m_cycles;   ///< of halfedges that leave a region
-  std::vector<std::vector<Index>> m_meetings;
-};
-
-/// The regions that meet at each part of the network between them, two at least.
-template <class Triangulation, class Region>
-std::vector<std::vector<Index>> region_meetings(const Triangulation& surface, const Region& region)
-{
-  return Quotient_graph(surface, region).meetings();
+  return collect_meetings(surface, region, networks, cycles);
 }
 
-/// The first Betti number of the graph that joins regions where they meet.
-inline std::size_t count_cycles(const std::vector<std::vector<Index>>& meetings)
-{
-  Index number_of_regions = 0;
-  for (const std::vector<Index>& meeting : meetings) {
-    number_of_regions = std::max(number_of_regions, *std::max_element(meeting.begin(), meeting.end()) + 1);
-  }
-  Disjoint_sets joined(number_of_regions + meetings.size());
-  std::size_t result = 0;
-  for (Index i = 0; i < meetings.size(); ++i) {
-    for (const Index region : meetings[i]) {
-      result += joined.join(number_of_regions + i, region) ? 0 : 1;
-    }
-  }
-  return result;
-}
-
-/// The same of points. Where there are cycles, those of the closed surface that the complex is a part of are counted
-/// too: if they are fewer, holes or bridges between sheets have made some, and regions meet as they do there.
+/// The same of points: of the closed surface that the complex is a part of, since holes and bridges between sheets
+/// would make cycles.
 template <class Region>
 std::vector<std::vector<Index>> region_meetings(const Point_complex& complex, const Region& region)
 {
-  std::vector<std::vector<Index>> meetings = Quotient_graph(complex, region).meetings();
-  const std::size_t number_of_cycles = count_cycles(meetings);
-  if (number_of_cycles == 0) {
-    return meetings;
-  }
   const Closed_complex closed(complex);
   const std::vector<Index> regions = closed.regions(region);
-  std::vector<std::vector<Index>> closed_meetings =
-      Quotient_graph(closed.surface(), [&regions](Index vertex) { return regions[vertex]; }).meetings();
-  return count_cycles(closed_meetings) < number_of_cycles ? closed_meetings : meetings;
+  return region_meetings(closed.surface(), [&regions](Index vertex) { return regions[vertex]; });
 }
 
 /// The radius of what a vertex stands for: nothing but itself on a surface. There are overloads of this, of
