@@ -173,18 +173,6 @@ TEST(Published_policies, work_with_the_nearest_target_along_the_surface)
   EXPECT_EQ(report.number_of_skeleton_components, 1u);
 }
 
-TEST(Published_policies, work_with_the_variational_shortening)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
-  Skeleton skeleton;
-  CSCD::Field_search_settings settings;
-  settings.shortening_rule = CSCD::Shortening_rule::variational;
-  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings));
-  EXPECT_EQ(report.number_of_tips, 3u);
-  EXPECT_EQ(report.number_of_junctions, 1u);
-  EXPECT_GT(report.number_of_separators, number_of_sources / 2);
-}
-
 /// The number of tips of a tube with a limb, by `settings`.
 std::size_t count_tips_of_limbs(const CSCD::Field_search_settings& settings)
 {
@@ -210,8 +198,6 @@ TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
   CSCD::Field_search_settings settings;
   settings.cut_locus_rule = CSCD::Cut_locus_rule::tree;
   EXPECT_EQ(count_tips_of_limbs(settings), 3u);
-  expect_two_cycles_of_two_handles(settings);
-  settings.cut_locus_policy = CSCD::Growing_policy();
   expect_two_cycles_of_two_handles(settings);
 }
 

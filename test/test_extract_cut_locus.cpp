@@ -199,8 +199,6 @@ TEST_P(Any_surface, has_a_cut_locus_around_each_handle)
     CSCD::extract_cut_locus(mesh, Vertex(Mesh::size_type(source)), graph);
     expect_loops(graph);
   }
-  CSCD::extract_cut_locus(mesh, Vertex(0), graph, parameters::cut_locus_policy(CSCD::Growing_policy()));
-  expect_loops(graph);
 }
 
 TEST_P(Any_surface, holds_the_points_of_its_cut_locus)

@@ -210,22 +210,6 @@ TEST(extract_cut_locus_from_points, lies_between_several_sources)
   }
 }
 
-TEST(extract_cut_locus_from_points, grows_from_the_farthest_point)
-{
-  const Samples samples(CSCD::test::capsule(10, 1, 48), 5000);
-  const auto& points = samples.clouds.front();
-  Graph graph;
-  CSCD::extract_cut_locus(to_range(points), nearest_point(points, {5, 0, 1}), graph,
-                          parameters::cut_locus_policy(CSCD::Growing_policy())
-                              .laplacian_threshold(0.)
-                              .angle_threshold(0.)
-                              .minimum_branch_length(0.1));
-  EXPECT_EQ(count_components(graph), 1u);
-  for (double x = 1.5; x < 8.5; x += 0.25) {
-    EXPECT_LT(distance_from(graph, {x, 0, -1}), 2 * samples.edge);
-  }
-}
-
 TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
 {
   std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(4), 1000, 1);

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -136,7 +135,7 @@ CSCD_INLINE Graph_policies::Packing Graph_policies::pack_separators(const Spatia
     }
     weights.push_back(finder.evenness(vertices));
   }
-  internal::Separator_overlaps overlaps(graph, separators, std::vector<std::uint8_t>(separators.size(), 0));
+  internal::Separator_overlaps overlaps(graph, separators);
   return Packing(graph, separators, internal::pack_by_overlap(overlaps, weights));
 }
 

@@ -22,6 +22,8 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
@@ -30,10 +32,10 @@
 namespace CSCD {
 
 /// The method as published: distances by the heat method on the intrinsic Delaunay triangulation, the cut locus from
-/// the whole distance field, shortening by edge flips or the variational flow, random sources, the quotient graph of
-/// regions. A model of `SkeletonizationPolicies` for every model of `SkeletonizationSurface`: with `Triangulated_solid`
-/// this is CSCD-M, with `Point_solid` CSCD-PC. The variational flow is for these two only. Slower than `Local_policies`
-/// by an order of magnitude; its time grows with the number of sources times that of vertices.
+/// the whole distance field, shortening by edge flips or, among points, the variational flow, random sources, the
+/// quotient graph of regions. A model of `SkeletonizationPolicies` for every model of `SkeletonizationSurface`: with
+/// `Triangulated_solid` this is CSCD-M, with `Point_solid` CSCD-PC. Slower than `Local_policies` by an order of
+/// magnitude; its time grows with the number of sources times that of vertices.
 class Published_policies
 {
 public:
@@ -44,7 +46,7 @@ public:
   static constexpr std::size_t default_number_of_sources = 3000;
 
   /// \param settings how sources are drawn, targets chosen, loops shortened and separators packed
-  /// \pre a multiscale search for `Triangulated_solid` only
+  /// \pre a multiscale search and placement in sections for `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
   /// Draws `settings.maximum_number_of_sources` sources. Where that has no bound, `default_number_of_sources`; fewer,
@@ -60,8 +62,7 @@ public:
                           Skeletonization_report& report) const;
 
   /// Builds the skeleton of the quotient graph: a node for each region, an edge where two regions touch. With
-  /// `Placement_rule::sections` it is, for a `Triangulated_solid`, that of the surface cut along the packed separators,
-  /// as by `Local_policies`; else nodes are moved towards the middle of separators, and limbs get tips.
+  /// `Placement_rule::sections` it is that of the surface cut along the packed separators, as by `Local_policies`.
   template <class Surface>
   Embedded_skeleton build_skeleton(const Surface& surface, const std::vector<Separator>& separators,
                                    const Packing& packing, Skeletonization_report& report) const;
@@ -121,13 +122,12 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
       return internal::embed_skeleton(surface, separators, packing.packed(), report);
     }
   }
+  CGAL_precondition(m_settings.placement_rule == Placement_rule::centroids);
   const auto place_nodes = [&](Skeleton_builder& builder) {
     internal::place_on_sheets(surface, separators, packing.packed(), builder);
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
       internal::Junction_centering(surface, builder).center_on_sheets();
       internal::finish_on_sheets(surface, builder);
-    } else if (m_settings.placement_rule == Placement_rule::sections) {
-      internal::Region_sections(surface.triangulation(), separators, packing, builder)();
     }
   };
   return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);

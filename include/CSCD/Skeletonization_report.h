@@ -39,7 +39,7 @@ enum class Cut_loop_outcome
   no_cut_point,         ///< the source has no cut point outside of its neighborhood
   distance_below_chord, ///< the distance is less than that in space, which only an estimate can be
   one_direction,        ///< all fronts arrive from one side
-  not_connected,        ///< no path leads to the source
+  not_connected,        ///< no path leads down to the source
   meets_at_once,        ///< the paths to the source join at the target or next to it: nothing is enclosed
   long_stem,            ///< the paths to the source join far from it: the curve is not that of this source
   narrow                ///< the paths to the source stay close together: they go around a bump

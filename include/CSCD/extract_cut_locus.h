@@ -98,12 +98,6 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{pi / 3}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{cut_locus_policy}
-///     \cgalParamDescription{which part of the tree is kept}
-///     \cgalParamType{`Pruning_policy` or `Growing_policy`; the latter needs weaker thresholds, since it stops at every
-///       vertex that fails them}
-///     \cgalParamDefault{`Pruning_policy`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_branch_length}
 ///     \cgalParamDescription{shorter branches are dropped; relative to the distance of the farthest point}
 ///     \cgalParamType{double}
@@ -121,7 +115,7 @@ void extract_cut_locus(const TriangleMesh& mesh,
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::distance_map_t,
                                    internal_np::laplacian_threshold_t, internal_np::angle_threshold_t,
-                                   internal_np::cut_locus_policy_t, internal_np::minimum_branch_length_t>();
+                                   internal_np::minimum_branch_length_t>();
   check_triangle_mesh<TriangleMesh>();
   auto collected = internal::collect_triangles(mesh, internal::vertex_point_map(mesh, np));
   const Normalization normalization = normalize_extent(collected.triangles.points);

@@ -71,12 +71,6 @@ namespace CSCD {
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{pi / 4}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{cut_locus_policy}
-///     \cgalParamDescription{which part of the tree is kept}
-///     \cgalParamType{`Pruning_policy` or `Growing_policy`; the latter needs weaker thresholds, since it stops at every
-///       point that fails them}
-///     \cgalParamDefault{`Pruning_policy`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_branch_length}
 ///     \cgalParamDescription{shorter branches are dropped; relative to the distance of the farthest point}
 ///     \cgalParamType{double}
@@ -93,8 +87,7 @@ void extract_cut_locus(const PointRange& points, const std::vector<Point_descrip
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
                                    internal_np::distance_map_t, internal_np::laplacian_threshold_t,
-                                   internal_np::angle_threshold_t, internal_np::cut_locus_policy_t,
-                                   internal_np::minimum_branch_length_t>();
+                                   internal_np::angle_threshold_t, internal_np::minimum_branch_length_t>();
   const Point_cloud cloud = internal::collect_points_of(points, np);
   const internal::Point_numbering<PointRange> numbering(points);
   if (sources.empty()) {

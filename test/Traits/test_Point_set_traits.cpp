@@ -168,31 +168,6 @@ TEST_P(Sampled_cloud, has_nearly_the_skeleton_of_the_mesh)
   EXPECT_LT(CSCD::test::mean_distance(of_mesh, of_points), tolerance);
 }
 
-TEST_P(Sampled_cloud, has_its_topology_and_tips_by_sections)
-{
-  CSCD::Field_search_settings settings;
-  settings.placement_rule = CSCD::Placement_rule::sections;
-  const std::vector<Triple> points = sampled(m_shape, number_of_points, 1);
-  const Outcome outcome = skeletonize(points, number_of_sources, 1, settings);
-  expect_topology(outcome);
-  EXPECT_GE(outcome.report.number_of_tips, skeletonize(points).report.number_of_tips);
-}
-
-TEST(Point_cloud_skeleton, leads_farther_to_the_ends_of_limbs_by_sections)
-{
-  // From -1 to 9 along the x axis.
-  const std::vector<Triple> points = sampled(CSCD::test::capsule(8, 1, 24), number_of_points, 1);
-  const auto extent = [&](CSCD::Placement_rule rule) {
-    CSCD::Field_search_settings settings;
-    settings.placement_rule = rule;
-    const Plain_skeleton skeleton = CSCD::test::plain(skeletonize(points, number_of_sources, 1, settings).skeleton);
-    const auto [least, greatest] = std::minmax_element(skeleton.points.begin(), skeleton.points.end());
-    return (*greatest)[0] - (*least)[0];
-  };
-  EXPECT_GT(extent(CSCD::Placement_rule::sections), extent(CSCD::Placement_rule::centroids));
-  EXPECT_LT(extent(CSCD::Placement_rule::sections), 10);
-}
-
 TEST(Point_cloud_skeleton, refuses_overlap_by_crossings)
 {
   CSCD::Field_search_settings settings;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From closed polygons of surface points to the edges that they cross.
+// From closed polygons among points to the edges that they cross.
 
 #ifndef CSCD_PUBLISHED_CURVE_TRACE_H
 #define CSCD_PUBLISHED_CURVE_TRACE_H
@@ -9,8 +9,6 @@
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Solid_queries.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -23,92 +21,6 @@
 
 namespace CSCD::internal {
 
-/// Traces closed polygons over a surface: from point to point it walks in the plane that holds both and the mean normal
-/// of their faces. Points are first moved a little into their faces, so that no plane begins at an edge.
-class Polygon_trace
-{
-public:
-  /// Sides of the polygon should be about half as long as edges, so that a side crosses few of them.
-  static constexpr std::size_t samples_per_edge = 2;
-  /// Whether the curve is the polygon of its crossings.
-  static constexpr bool is_polygon_of_crossings = true;
-
-  explicit Polygon_trace(const Triangulated_surface& surface) : m_surface(surface) {}
-
-  const Triangulated_surface& surface() const { return m_surface; }
-
-  /// Writes to `crossings` the edges that the closed polygon `points` crosses; linear in their number.
-  /// \param points each with its face as site
-  /// \return false if a walk misses its point, as where the surface turns sharply between points that are far apart, or
-  ///         if fewer than three edges are crossed
-  bool operator()(const std::vector<Projected_point>& points, std::vector<Edge_crossing>& crossings) const
-  {
-    crossings.clear();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!walk(moved_inside(points[i]), moved_inside(points[(i + 1) % points.size()]), crossings)) {
-        return false;
-      }
-    }
-    cancel_backtracks(m_surface, crossings);
-    return crossings.size() >= 3;
-  }
-
-private:
-  /// How far points are moved towards the center of their face, relative to their distance from it.
-  static constexpr double inward_part = 1e-3;
-  /// A walk that has gone on for this many times its length has missed its point.
-  static constexpr double longest_walk = 2;
-  /// So has one that crosses so many edges: it goes round and round something small. Polygons as they are traced here
-  /// have sides of half an edge or so.
-  static constexpr std::size_t max_crossings = 1000;
-  /// Crossings keep this distance from the ends of their edge, relative to its length.
-  static constexpr double end_margin = 1e-6;
-
-  Surface_point moved_inside(const Projected_point& p) const
-  {
-    const Index h = 3 * p.site;
-    const Vector_3 center = (m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.origin(h + 1)) +
-                             m_surface.point(m_surface.origin(h + 2))) /
-                            3;
-    return {p.point + inward_part * (center - p.point), p.site};
-  }
-
-  Vector_3 normal(Index face) const { return m_surface.face_vector(face).normalized(); }
-
-  bool walk(const Surface_point& from, const Surface_point& to, std::vector<Edge_crossing>& crossings) const
-  {
-    const Vector_3 way = to.point - from.point;
-    const Vector_3 plane_normal = way.cross(normal(from.face) + normal(to.face));
-    const auto height = [&](Index vertex) { return (m_surface.point(vertex) - from.point).dot(plane_normal); };
-    const std::size_t end = crossings.size() + max_crossings;
-    Index face = from.face;
-    while (face != to.face) {
-      Index exit = no_index;
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-        // The plane's normal points to the right, where the origin of a crossed halfedge is.
-        if (height(m_surface.origin(h)) >= 0 && height(m_surface.target(h)) < 0) {
-          exit = h;
-        }
-      }
-      if (exit == no_index || crossings.size() == end) {
-        return false;
-      }
-      const double right = height(m_surface.origin(exit));
-      const double position = right / (right - height(m_surface.target(exit)));
-      crossings.push_back({exit, std::clamp(position, end_margin, 1 - end_margin)});
-      face = Triangulated_surface::face(m_surface.twin(exit));
-      const Vector_3 point =
-          (1 - position) * m_surface.point(m_surface.origin(exit)) + position * m_surface.point(m_surface.target(exit));
-      if ((point - from.point).squaredNorm() > longest_walk * longest_walk * way.squaredNorm()) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  const Triangulated_surface& m_surface;
-};
-
 /// Finds the edges of a point complex that closed curves on its surface cross.
 ///
 /// A curve need not meet any edge: it is widened to a ribbon along the normals of the surface. All vertices around it
@@ -120,19 +32,12 @@ private:
 class Complex_trace
 {
 public:
-  /// Sides of the polygon may be as long as edges.
-  static constexpr std::size_t samples_per_edge = 1;
-  /// Whether the curve is the polygon of its crossings.
-  static constexpr bool is_polygon_of_crossings = false;
-
   /// \param complex is referred to and must outlive this object
   explicit Complex_trace(const Point_complex& complex)
       : m_complex(complex), m_is_met(complex.number_of_vertices()), m_foot(complex.number_of_vertices()),
         m_is_taken(complex.number_of_halfedges())
   {
   }
-
-  const Point_complex& surface() const { return m_complex; }
 
   /// Writes to `crossings` the edges that the closed polygon `curve` crosses, in the order of the polygon. The work is
   /// that of the vertices along the curve.

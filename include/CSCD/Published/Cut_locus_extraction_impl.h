@@ -55,9 +55,6 @@ public:
   template <class Function>
   void for_each_crossing(Index halfedge, const std::vector<double>& distances, const Function& function) const
   {
-    if (m_triangulation.is_input_edge(halfedge)) {
-      return;
-    }
     Edge_trace trace;
     m_triangulation.trace(halfedge, trace);
     for (const auto& [h, position] : trace.crossings()) {

@@ -10,13 +10,11 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,279 +30,119 @@
 
 namespace CSCD::internal {
 
-/// Traces paths along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
-/// must lead down. Where none does, the path continues along a shortest path to a vertex that is nearer than all
-/// before: so it has no cycle, and ends at the source whatever the field is like. One object serves one thread, and
-/// keeps working memory of the size of the surface. Paths are halfedges, each from where the one before leads to.
-/// \tparam Frames know the neighbors of a vertex: `Tangent_frames` of a surface without borders, or `Point_frames`
-template <class Frames>
-class Descent
+/// Appends to `path` the halfedges of a path from `vertex` to `source`, each step to the nearest neighbor (supplement,
+/// Alg. 4). Unlike there, a step must lead down: so no vertex is passed twice. O(k) for k steps and their edges.
+/// \return false, with steps to a minimum of the distance, if `source` is not reached
+template <class Measures>
+bool descend(const Measures& measures, Index vertex, Index source, std::vector<Index>& path)
 {
-public:
-  /// \param frames is referred to and must outlive this object
-  explicit Descent(const Frames& frames)
-      : m_frames(frames), m_front(frames.triangulation().number_of_vertices()),
-        m_step_to(frames.triangulation().number_of_vertices())
-  {
-  }
-
-  /// Lets the paths from now on cost about as much as `number_of_steps` steps in all.
-  void set_budget(std::size_t number_of_steps) { m_budget = number_of_steps; }
-  /// Whether the budget is spent; paths then end at once.
-  bool is_exhausted() const { return m_budget == 0; }
-
-  /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
-  /// edges; O(m log m) for the m vertices around a minimum that is not a source.
-  /// \return false, with steps to somewhere, if `source` is not connected with `vertex` or the budget is spent
-  template <class Measures>
-  bool operator()(const Measures& measures, Index vertex, Index source, std::vector<Index>& path)
-  {
-    const std::size_t begin = path.size();
-    while (vertex != source) {
-      spend(1);
-      if (is_exhausted()) {
-        return false;
+  while (vertex != source) {
+    Index best = no_index;
+    double min_distance = measures.distance(vertex);
+    measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+      if (neighbor == source || measures.distance(neighbor) < min_distance) {
+        min_distance = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
+        best = halfedge;
       }
-      Index best = no_index;
-      double min_distance = measures.distance(vertex);
-      m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-        if (neighbor == source || measures.distance(neighbor) < min_distance) {
-          min_distance = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
-          best = halfedge;
-        }
-      });
-      if (best != no_index) {
-        path.push_back(best);
-        vertex = m_frames.triangulation().target(best);
-      } else {
-        vertex = leave_minimum(measures, vertex, source, begin, path);
-        if (vertex == no_index) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-private:
-  /// The cost of a vertex that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
-  static constexpr std::size_t steps_per_spread_vertex = 16;
-
-  void spend(std::size_t number_of_steps) { m_budget -= std::min(m_budget, number_of_steps); }
-
-  /// Spreads from the minimum `vertex` along edges until the source or a nearer vertex comes, and goes there.
-  /// \return that vertex, or `no_index` if there is none
-  template <class Measures>
-  Index leave_minimum(const Measures& measures, Index vertex, Index source, std::size_t begin, std::vector<Index>& path)
-  {
-    const double record = measures.distance(vertex);
-    m_front.clear();
-    m_front.reach(vertex, 0);
-    Index found = no_index;
-    m_front.spread([&](Index at, float way) {
-      spend(steps_per_spread_vertex);
-      if (!is_exhausted() && (at == source || measures.distance(at) < record)) {
-        found = at;
-      }
-      if (found != no_index || is_exhausted()) {
-        m_front.clear(); // ends the search
-        return;
-      }
-      m_frames.for_each_neighbor(at, [&](Index neighbor, Index halfedge) {
-        if (m_front.reach(neighbor, way + float(m_frames.length(halfedge)))) {
-          m_step_to[neighbor] = halfedge;
-        }
-      });
     });
-    if (found != no_index) {
-      append_detour(vertex, found, begin, path);
+    if (best == no_index) {
+      return false;
     }
-    return found;
+    path.push_back(best);
+    vertex = measures.frames().triangulation().target(best);
   }
-
-  /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, the part between is left
-  /// out.
-  void append_detour(Index from, Index to, std::size_t begin, std::vector<Index>& path)
-  {
-    const auto& triangulation = m_frames.triangulation();
-    m_detour.clear();
-    for (Index at = to; at != from; at = triangulation.origin(m_step_to[at])) {
-      m_detour.push_back(m_step_to[at]);
-    }
-    std::reverse(m_detour.begin(), m_detour.end());
-    for (const Index step : m_detour) {
-      const Index end = triangulation.target(step);
-      spend(path.size() - begin);
-      const auto meets = [&](Index earlier) { return triangulation.origin(earlier) == end; };
-      const auto first = path.begin() + std::ptrdiff_t(begin);
-      const auto meeting = std::find_if(first, path.end(), meets);
-      if (meeting != path.end()) {
-        path.erase(meeting, path.end());
-      } else {
-        path.push_back(step);
-      }
-    }
-  }
-
-  const Frames& m_frames;
-  Dijkstra_search m_front;
-  std::vector<Index> m_step_to; ///< the last halfedge on the way of the front to a vertex
-  std::vector<Index> m_detour;
-  std::size_t m_budget = std::numeric_limits<std::size_t>::max(); ///< in steps
-};
-
-/// Splits the faces around a cut point into the two sides that fronts come from: the split of their cycle into two arcs
-/// with the greatest angle between the sums of unit gradients that converge.
-template <class Measures>
-class Front_sides
-{
-public:
-  using Complex = std::complex<double>;
-
-  Front_sides(const Measures& measures, Index vertex)
-  {
-    Gradient_samples samples;
-    measures.collect_samples(vertex, samples);
-    // The cycle twice, so that arcs need not wrap around.
-    boost::container::small_vector<Sum, 33> sums(1);
-    for (std::size_t i = 0; i < 2 * samples.size(); ++i) {
-      const auto& sample = samples[i % samples.size()];
-      sums.push_back({sums.back().gradient + sample.gradient, sums.back().direction + sample.direction});
-    }
-    const std::size_t size = samples.size();
-    const std::size_t stride = (size + max_samples - 1) / max_samples;
-    for (std::size_t begin = 0; begin < size; begin += stride) {
-      for (std::size_t end = begin + stride; end < begin + size && end < size; end += stride) {
-        consider(difference(sums[end], sums[begin]), difference(sums[begin + size], sums[end]));
-      }
-    }
-  }
-
-  /// Whether there are two sides.
-  explicit operator bool() const { return m_cosine <= 1; }
-  /// The direction of the gradient on one side, of length 1.
-  const Complex& gradient(std::size_t side) const { return m_gradient[side]; }
-
-private:
-  /// Faces around a vertex that are sorted into sides one by one; of more, several go together.
-  static constexpr std::size_t max_samples = 32;
-
-  struct Sum
-  {
-    Complex gradient = 0;
-    Complex direction = 0;
-  };
-
-  static Sum difference(const Sum& a, const Sum& b) { return {a.gradient - b.gradient, a.direction - b.direction}; }
-
-  void consider(const Sum& a, const Sum& b)
-  {
-    const double norms[] = {std::abs(a.gradient), std::abs(b.gradient)};
-    if (!(norms[0] > 0 && norms[1] > 0)) {
-      return;
-    }
-    const Complex gradients[] = {a.gradient / norms[0], b.gradient / norms[1]};
-    const double cosine = dot(gradients[0], gradients[1]);
-    if (cosine < m_cosine && dot(gradients[0] - gradients[1], a.direction - b.direction) < 0) {
-      m_cosine = cosine;
-      m_gradient = {gradients[0], gradients[1]};
-    }
-  }
-
-  double m_cosine = std::numeric_limits<double>::max();
-  std::array<Complex, 2> m_gradient{};
-};
-
-/// An edge of a vertex: its end and its direction.
-struct Incident_edge
-{
-  Index halfedge;  ///< from the vertex
-  double distance; ///< that of its end, from the source
-  double angle;    ///< in the frame of the vertex
-};
-
-using Incident_edges = boost::container::small_vector<Incident_edge, 16>;
-
-/// Collects the edges of `vertex`, counterclockwise.
-template <class Measures>
-void collect_incident_edges(const Measures& measures, Index vertex, Incident_edges& incident_edges)
-{
-  const auto& frames = measures.frames();
-  frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-    incident_edges.push_back({halfedge, measures.distance(neighbor), frames.direction_at_origin(halfedge)});
-  });
+  return true;
 }
 
-/// The two nearest ends of `incident_edges` that are nearer than their neighbors in the ring and at least a right angle
-/// apart; null where there are none.
-inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& incident_edges)
+/// The gradients, of length 1, of the two fronts that meet at the cut point `vertex`: the cycle of the samples around
+/// it is split into two arcs with the greatest angle between the sums of their gradients that converge. Nothing if
+/// there are no such arcs. O(d^2) for degree d up to a constant.
+template <class Measures>
+std::optional<std::array<std::complex<double>, 2>> front_gradients(const Measures& measures, Index vertex)
 {
-  const std::size_t size = incident_edges.size();
-  // Of equal ones that follow each other the first counts.
-  const auto is_nearer = [&](std::size_t a, std::size_t b) {
-    return incident_edges[a].distance < incident_edges[b].distance ||
-           (incident_edges[a].distance == incident_edges[b].distance && a < b);
-  };
-  const auto is_minimum = [&](std::size_t i) {
-    return is_nearer(i, (i + size - 1) % size) && is_nearer(i, (i + 1) % size);
-  };
-  std::array<const Incident_edge*, 2> result{};
-  for (std::size_t i = 0; i < size; ++i) {
-    if (is_minimum(i) && (result[0] == nullptr || incident_edges[i].distance < result[0]->distance)) {
-      result[0] = &incident_edges[i];
-    }
+  // Samples that are sorted into arcs one by one; of more, several go together.
+  constexpr std::size_t max_samples = 32;
+  Gradient_samples samples;
+  measures.collect_samples(vertex, samples);
+  const std::size_t size = samples.size();
+  // The sums up to each sample. The cycle is passed twice, so that arcs need not wrap around.
+  boost::container::small_vector<Gradient_sample, 33> sums(1);
+  for (std::size_t i = 0; i < 2 * size; ++i) {
+    const Gradient_sample& sample = samples[i % size];
+    sums.push_back({sums.back().direction + sample.direction, sums.back().gradient + sample.gradient});
   }
-  for (std::size_t i = 0; i < size; ++i) {
-    const double turn = std::abs(incident_edges[i].angle - result[0]->angle);
-    const bool is_apart =
-        std::min(turn, boost::math::double_constants::two_pi - turn) >= boost::math::double_constants::half_pi;
-    if (is_apart && is_minimum(i) && (result[1] == nullptr || incident_edges[i].distance < result[1]->distance)) {
-      result[1] = &incident_edges[i];
+  const auto arc = [&sums](std::size_t begin, std::size_t end) {
+    const std::complex<double> gradient = sums[end].gradient - sums[begin].gradient;
+    return Gradient_sample{sums[end].direction - sums[begin].direction, gradient / std::abs(gradient)};
+  };
+  const std::size_t stride = (size + max_samples - 1) / max_samples;
+  double min_cosine = std::numeric_limits<double>::max();
+  std::optional<std::array<std::complex<double>, 2>> result;
+  for (std::size_t begin = 0; begin < size; begin += stride) {
+    for (std::size_t end = begin + stride; end < size; end += stride) {
+      const Gradient_sample a = arc(begin, end);
+      const Gradient_sample b = arc(end, begin + size);
+      const double cosine = dot(a.gradient, b.gradient); // not a number where a sum is 0
+      if (cosine < min_cosine && are_converging(a, b)) {
+        min_cosine = cosine;
+        result = {a.gradient, b.gradient};
+      }
     }
   }
   return result;
 }
 
-/// The edge of `incident_edges` that is closest in direction to the geodesic of the front whose distance has the
-/// gradient `gradient`.
-inline const Incident_edge* closest_to_descent(const Incident_edges& incident_edges,
-                                               const std::complex<double>& gradient)
+/// The edges from `vertex` to the two nearest vertices in the ring around it that are nearer to the source than their
+/// neighbors in the ring; nothing where there are no two. Of equal ones that follow each other the first counts.
+template <class Measures>
+std::optional<std::array<Index, 2>> ring_minima(const Measures& measures, Index vertex)
 {
-  const auto cosine = [&](const Incident_edge& incident_edge) {
-    return -gradient.real() * std::cos(incident_edge.angle) - gradient.imag() * std::sin(incident_edge.angle);
-  };
-  const auto closest =
-      std::max_element(incident_edges.begin(), incident_edges.end(),
-                       [&](const Incident_edge& a, const Incident_edge& b) { return cosine(a) < cosine(b); });
-  return &*closest;
+  boost::container::small_vector<Index, 16> halfedges;
+  boost::container::small_vector<std::pair<double, std::size_t>, 16> ring;
+  measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+    ring.emplace_back(measures.distance(neighbor), ring.size());
+    halfedges.push_back(halfedge);
+  });
+  boost::container::small_vector<std::pair<double, std::size_t>, 16> minima;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (ring[i] < ring[(i + ring.size() - 1) % ring.size()] && ring[i] < ring[(i + 1) % ring.size()]) {
+      minima.push_back(ring[i]);
+    }
+  }
+  if (minima.size() < 2) {
+    return std::nullopt;
+  }
+  std::sort(minima.begin(), minima.end());
+  return std::array<Index, 2>{halfedges[minima[0].second], halfedges[minima[1].second]};
 }
 
-/// The edges along which to leave the cut point `vertex` towards the source, on one side and on the other (section
-/// 3.1.4, which is missing): the edges to the two minima of the distance in the ring around it. They need not be nearer
-/// to the source than `vertex`, since the cut locus may run between. Where there is one minimum only, the edges that
-/// are closest in direction to the geodesics. Nothing if the fronts have no two sides, or one edge serves
-/// both. O(d^2) for degree d up to a constant.
+/// The edges along which to leave the cut point `vertex` towards the source, one on each side of the cut locus (section
+/// 3.1.4, which is missing): the edges to two minima of the distance in the ring around it. They need not lead down,
+/// since the cut locus may run between. Where there is one minimum only, the edges that are closest in direction to the
+/// geodesics of the two fronts. Nothing if the fronts have no two sides, or one edge serves both.
 template <class Measures>
 std::optional<std::array<Index, 2>> incoming_directions(const Measures& measures, Index vertex)
 {
-  Incident_edges incident_edges;
-  collect_incident_edges(measures, vertex, incident_edges);
-  if (incident_edges.empty()) {
+  if (const auto minima = ring_minima(measures, vertex)) {
+    return minima;
+  }
+  const auto gradients = front_gradients(measures, vertex);
+  if (!gradients) {
     return std::nullopt;
   }
-  std::array<const Incident_edge*, 2> chosen = ring_minima(incident_edges);
-  if (chosen[1] == nullptr) {
-    const Front_sides<Measures> sides(measures, vertex);
-    if (!sides) {
-      return std::nullopt;
+  std::array<Index, 2> result{no_index, no_index};
+  std::array<double, 2> least{2, 2}; // of the cosines with the gradients
+  measures.frames().for_each_neighbor(vertex, [&](Index, Index halfedge) {
+    const std::complex<double> direction = std::polar(1., measures.frames().direction_at_origin(halfedge));
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double cosine = dot((*gradients)[side], direction);
+      if (cosine < least[side]) {
+        least[side] = cosine;
+        result[side] = halfedge;
+      }
     }
-    chosen = {closest_to_descent(incident_edges, sides.gradient(0)),
-              closest_to_descent(incident_edges, sides.gradient(1))};
-    if (chosen[0] == chosen[1]) {
-      return std::nullopt;
-    }
-  }
-  return std::array<Index, 2>{chosen[0]->halfedge, chosen[1]->halfedge};
+  });
+  return result[0] != result[1] ? std::optional(result) : std::nullopt;
 }
 
 /// A simple closed curve along edges, and how it was found.
@@ -314,14 +152,8 @@ struct Cut_loop
   Cut_loop_outcome outcome = Cut_loop_outcome::no_cut_point;
   /// From the target to the base and back, if there is a curve.
   std::vector<Index> halfedges;
-  Index target = no_index;
-  /// Where the two paths to the source join: the source or a vertex near it.
-  Index base = no_index;
   /// Distance of the target along the surface.
   double distance = 0;
-  /// Distance in space between the two paths half way down, relative to that of the target along the surface: 0.64 on a
-  /// round tube, about 0 around a bump.
-  double path_separation = 0;
 };
 
 /// Selects the target of a source among its cut points, traces the two paths back from it, and joins them (supplement,
@@ -338,15 +170,14 @@ public:
 
   /// \param points the positions of the vertices; as `frames`, it is referred to and must outlive this object
   Cut_loop_finder(const Frames& frames, const std::vector<Vector_3>& points)
-      : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_descent(frames),
-        m_on_first(points.size())
+      : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_on_first(points.size())
   {
     CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
   }
 
   /// Finds the loop of a source at `source_point` with the cut points where `is_cut(vertex)` holds. The source is in a
-  /// face at the vertex `source`, the end of the paths. O(n log n) for n vertices: where the field has minima
-  /// everywhere, as on faces of extreme shape, it gives up.
+  /// face at the vertex `source`, the end of the paths. O(n + k log n) for n vertices, of which k come before the
+  /// target.
   template <class Predicate>
   void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
             const Predicate& is_cut, Cut_loop& loop)
@@ -354,69 +185,49 @@ public:
     m_source_point = source_point;
     loop.outcome = Cut_loop_outcome::no_cut_point;
     loop.halfedges.clear();
-    m_descent.set_budget(max_steps_per_vertex * m_points.size());
-    double begin = 0;
-    double end = first_shell * m_frames.mean_edge_length();
-    bool has_more = true;
-    for (; has_more && begin < end && loop.outcome != Cut_loop_outcome::found && !m_descent.is_exhausted();
-         begin = std::exchange(end, 2 * end)) {
-      has_more = collect_candidates(measures, rule, begin, end);
-      while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found && !m_descent.is_exhausted()) {
-        std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
-        const Index vertex = m_candidates.back().second;
-        m_candidates.pop_back();
-        if (is_cut(vertex)) {
-          loop.outcome = try_target(measures, source, vertex, loop);
-        }
+    collect_candidates(measures, rule);
+    while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found) {
+      std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+      const Index vertex = m_candidates.back().second;
+      m_candidates.pop_back();
+      if (is_cut(vertex)) {
+        loop.outcome = try_target(measures, source, vertex, loop);
       }
     }
   }
 
 private:
-  /// The steps of all paths of a source, for each vertex of the surface. On meshes of 10,000 and 50,000 vertices no
-  /// source took more than 2 and 4; on faces of extreme shape it can be thousands.
-  static constexpr std::size_t max_steps_per_vertex = 16;
-  /// Candidates are ordered shell by shell, each twice as thick as all before; the first one, in mean edge lengths, has
-  /// the targets of limbs of usual meshes.
-  static constexpr double first_shell = 16;
   /// A target is farther from its source than this many mean edge lengths: nearer, the field of the heat method is
   /// inaccurate.
   static constexpr double min_distance = 4;
   /// The minimum distance of a target, relative to that in space: below 1 it is an error, but some error is tolerated.
   static constexpr double min_distance_to_chord = 0.98;
-  /// The minimum of `path_separation`: half of that of a round tube. It decides about more targets than any other test.
+  /// The minimum distance in space between the two paths half way down, relative to that of the target along the
+  /// surface: it is 0.64 on a round tube, about 0 around a bump. This decides about more targets than any other test.
   static constexpr double min_path_separation = 0.3;
   /// The maximum distance of the base from the source, relative to that of the target ...
   static constexpr double max_stem = 0.1;
   /// ... or to the mean edge length: paths along edges join a few edges before the source, wherever they come from.
   static constexpr double max_edges_of_stem = 3;
 
-  /// Makes a heap of the vertices that are far enough from the source, and at a distance in [begin, end) by the rule.
-  /// \return whether there are vertices at `end` or beyond
-  bool collect_candidates(const Measures& measures, Target_rule rule, double begin, double end)
+  /// Makes a heap of the vertices that are far enough from the source, the nearest by `rule` first.
+  void collect_candidates(const Measures& measures, Target_rule rule)
   {
     m_candidates.clear();
-    bool has_more = false;
     const double min_key = min_distance * m_frames.mean_edge_length();
     for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-      if (!(measures.is_reached(vertex) && measures.distance(vertex) >= min_key)) {
-        continue;
-      }
-      const double key = rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_source_point).norm()
-                                                               : measures.distance(vertex);
-      has_more = has_more || key >= end;
-      if (key >= begin && key < end) {
-        m_candidates.emplace_back(key, vertex);
+      if (measures.is_reached(vertex) && measures.distance(vertex) >= min_key) {
+        m_candidates.emplace_back(rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_source_point).norm()
+                                                                        : measures.distance(vertex),
+                                  vertex);
       }
     }
     std::make_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
-    return has_more;
   }
 
   /// Traces the loop of `source` through `target`.
   Cut_loop_outcome try_target(const Measures& measures, Index source, Index target, Cut_loop& loop)
   {
-    loop.target = target;
     loop.distance = measures.distance(target);
     if (loop.distance < min_distance_to_chord * (m_points[target] - m_source_point).norm()) {
       return Cut_loop_outcome::distance_below_chord;
@@ -427,19 +238,19 @@ private:
     }
     for (std::size_t side = 0; side < 2; ++side) {
       m_path[side].assign(1, (*directions)[side]);
-      if (!m_descent(measures, m_triangulation.target(m_path[side].front()), source, m_path[side])) {
+      if (!descend(measures, m_triangulation.target(m_path[side].front()), source, m_path[side])) {
         return Cut_loop_outcome::not_connected;
       }
     }
-    if (!cut_where_paths_join(target, loop)) {
+    const Index base = cut_where_paths_join();
+    if (!is_loop(target)) {
       return Cut_loop_outcome::meets_at_once;
     }
-    if (measures.distance(loop.base) >
-        std::max(max_stem * loop.distance, max_edges_of_stem * m_frames.mean_edge_length())) {
+    if (measures.distance(base) > std::max(max_stem * loop.distance, max_edges_of_stem * m_frames.mean_edge_length())) {
       return Cut_loop_outcome::long_stem;
     }
-    loop.path_separation = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm() / loop.distance;
-    if (loop.path_separation < min_path_separation) {
+    const double separation = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm();
+    if (separation < min_path_separation * loop.distance) {
       return Cut_loop_outcome::narrow;
     }
     join_paths(loop);
@@ -448,8 +259,8 @@ private:
 
   /// Ends both paths at the first vertex of the second path that is on the first path too. Since each path passes a
   /// vertex once, the remaining loop is simple: it has no steps back and forth, and no vertex comes twice.
-  /// \return false if that vertex is next to the target, or a path returns to the target
-  bool cut_where_paths_join(Index target, Cut_loop& loop)
+  /// \return that vertex, the source or one near it
+  Index cut_where_paths_join()
   {
     m_on_first.clear();
     for (const Index h : m_path[0]) {
@@ -458,15 +269,21 @@ private:
     const auto is_joined = [&](Index h) { return m_on_first.is_marked(m_triangulation.target(h)); };
     // Both end at the source.
     const auto second_end = std::find_if(m_path[1].begin(), m_path[1].end(), is_joined);
-    loop.base = m_triangulation.target(*second_end);
+    const Index base = m_triangulation.target(*second_end);
     m_path[1].erase(second_end + 1, m_path[1].end());
-    const auto ends_at_base = [&](Index h) { return m_triangulation.target(h) == loop.base; };
+    const auto ends_at_base = [&](Index h) { return m_triangulation.target(h) == base; };
     const auto first_end = std::find_if(m_path[0].begin(), m_path[0].end(), ends_at_base);
     m_path[0].erase(first_end + 1, m_path[0].end());
+    return base;
+  }
+
+  /// Whether the paths have more than an edge each, and do not return to the target.
+  bool is_loop(Index target) const
+  {
     const auto is_at_target = [&](Index h) { return m_triangulation.target(h) == target; };
-    return m_path[0].size() > 1 && m_path[1].size() > 1 &&
-           std::none_of(m_path[0].begin(), m_path[0].end(), is_at_target) &&
-           std::none_of(m_path[1].begin(), m_path[1].end(), is_at_target);
+    return std::all_of(m_path.begin(), m_path.end(), [&](const std::vector<Index>& path) {
+      return path.size() > 1 && std::none_of(path.begin(), path.end(), is_at_target);
+    });
   }
 
   /// The point of `path`, which begins at the target, at half the distance of the target.
@@ -496,7 +313,6 @@ private:
   const Frames& m_frames;
   const Triangulation& m_triangulation;
   const std::vector<Vector_3>& m_points;
-  Descent<Frames> m_descent;
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
   std::array<std::vector<Index>, 2> m_path;           ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path

@@ -15,8 +15,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/graph/compressed_sparse_row_graph.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,7 +23,6 @@
 #include <queue>
 #include <tuple>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CSCD::internal {
@@ -39,10 +36,6 @@ namespace CSCD::internal {
 class Org_tree
 {
 public:
-  /// Edges run from parents to children; vertices are those that are measured.
-  using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                                   boost::no_property, Index, Index>;
-
   /// Grows the tree; O(n log n) for n vertices.
   /// \param measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators` of a point complex
   /// \param is_on_loop for every vertex
@@ -60,10 +53,10 @@ public:
       }
     }
     grow_from_farthest(measures, by_distance);
-    make_graph();
   }
 
-  const Graph& graph() const { return m_graph; }
+  /// The number of vertices of the surface.
+  std::size_t size() const { return m_parent.size(); }
   /// The farthest vertices of the components.
   const std::vector<Index>& roots() const { return m_roots; }
   /// All vertices of the tree, parents before children.
@@ -123,25 +116,11 @@ private:
     }
   }
 
-  void make_graph()
-  {
-    std::vector<Index> sources;
-    std::vector<Index> targets;
-    for (Index vertex : m_order) {
-      if (m_parent[vertex] != no_index) {
-        sources.push_back(m_parent[vertex]);
-        targets.push_back(vertex);
-      }
-    }
-    m_graph = Graph(boost::construct_inplace_from_sources_and_targets, sources, targets, Index(m_parent.size()));
-  }
-
   std::vector<double> m_laplacian;
   std::vector<Index> m_parent;
   std::vector<Index> m_halfedge;
   std::vector<Index> m_order;
   std::vector<Index> m_roots;
-  Graph m_graph;
 };
 
 /// A subtree of every tree of an ORG tree, each with its root, and chords that close loops.
@@ -151,8 +130,7 @@ class Cut_tree
 public:
   /// Keeps the roots of `tree`, which is referred to and must outlive this object; linear.
   explicit Cut_tree(const Org_tree& tree)
-      : m_tree(tree), m_is_kept(num_vertices(tree.graph()), 0), m_is_protected(m_is_kept),
-        m_number_of_children(m_is_kept.size(), 0)
+      : m_tree(tree), m_is_kept(tree.size(), 0), m_is_protected(m_is_kept), m_number_of_children(m_is_kept.size(), 0)
   {
     for (Index root : tree.roots()) {
       m_is_kept[root] = 1;
@@ -290,32 +268,6 @@ void thin_branches(const Frames& frames, Cut_tree& cut)
       }
     }
   }
-}
-
-/// Keeps of `tree`, the ORG tree of `measures`, what `policy` makes of the cut points; then calls `close_loops(cut)`,
-/// which may add chords; then makes branches one vertex wide and drops the short ones. O(n log n) for n vertices, and
-/// what `close_loops` costs.
-/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
-/// \param min_branch_length relative to the distance of the farthest vertex; branches of less than three mean
-///        edge lengths, which the triangulation alone can make, are dropped anyway
-template <class Measures, class CutLocusPolicy, class CloseLoops>
-Cut_tree filter_org_tree(const Measures& measures, const Org_tree& tree, const Cut_criterion& criterion,
-                         const CutLocusPolicy& policy, double min_branch_length, const CloseLoops& close_loops)
-{
-  constexpr double min_edges_of_branch = 3;
-  const auto& frames = measures.frames();
-  Cut_tree cut(tree);
-  const auto gradients = measures.gradients();
-  policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion, gradients); }, cut);
-  close_loops(cut);
-  thin_branches(frames, cut);
-  double max_distance = 0;
-  for (Index root : tree.roots()) {
-    max_distance = std::max(max_distance, measures.distance(root));
-  }
-  const double min_length = std::max(min_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
-  drop_short_branches(cut, min_length, [&](Index halfedge) { return frames.length(halfedge); });
-  return cut;
 }
 
 /// Unites the faces of a triangulation across its edges in order of distance, so that they make one disc around each
@@ -548,24 +500,36 @@ inline void close_loops(const Point_cut_locus_indicators& /* measures */, const 
 
 /// @}
 
-/// Finds the cut locus of `sources` as part of `tree`, the ORG tree of `measures`: filtered by the policy of
-/// `settings`, its loops closed, made one vertex wide, without short branches. O(n log n) for n vertices.
+/// Finds the cut locus of `sources` as part of `tree`, the ORG tree of `measures`: cut points and their paths to the
+/// root are kept, loops closed, branches made one vertex wide, and short ones dropped. O(n log n) for n vertices.
 /// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
 /// \param closes_loops whether there are loops to be closed, as far as is known
 template <class Measures>
 Cut_tree find_cut_tree(const Measures& measures, const Org_tree& tree, const std::vector<Index>& sources,
                        const Cut_locus_settings& settings, bool closes_loops = true)
 {
-  return std::visit(
-      [&](const auto& policy) {
-        return filter_org_tree(measures, tree, settings.criterion, policy, settings.minimum_branch_length,
-                               [&](Cut_tree& cut) {
-                                 if (closes_loops) {
-                                   close_loops(measures, sources, cut);
-                                 }
-                               });
-      },
-      settings.policy);
+  // Of this many mean edge lengths; the triangulation alone can make shorter branches.
+  constexpr double min_edges_of_branch = 3;
+  const auto& frames = measures.frames();
+  const auto gradients = measures.gradients();
+  Cut_tree cut(tree);
+  for (const Index vertex : tree.order()) {
+    if (tree.is_on_loop(vertex) || measures.is_cut(vertex, settings.criterion, gradients)) {
+      cut.keep(vertex);
+    }
+  }
+  if (closes_loops) {
+    close_loops(measures, sources, cut);
+  }
+  thin_branches(frames, cut);
+  double max_distance = 0;
+  for (Index root : tree.roots()) {
+    max_distance = std::max(max_distance, measures.distance(root));
+  }
+  const double min_length =
+      std::max(settings.minimum_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
+  drop_short_branches(cut, min_length, [&](Index halfedge) { return frames.length(halfedge); });
+  return cut;
 }
 
 } // namespace CSCD::internal

@@ -9,53 +9,9 @@
 #include <CSCD/Named_parameters.h>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/range/iterator_range.hpp>
 
 #include <cstddef>
 #include <optional>
-#include <variant>
-
-namespace CSCD {
-
-/// Keeps every cut point and its path to the root of the tree: other leaves are removed again and again until all
-/// leaves are cut points. No cut point is missed, but false ones far away keep their paths too. `Growing_policy` is the
-/// other choice.
-struct Pruning_policy
-{
-  /// Adds to `cut` the vertices where `is_cut(vertex)` holds, and their paths to the root; linear.
-  template <class Predicate, class CutTree>
-  void operator()(const Predicate& is_cut, CutTree& cut) const
-  {
-    for (const auto vertex : cut.tree().order()) {
-      if (is_cut(vertex)) {
-        cut.keep(vertex);
-      }
-    }
-  }
-};
-
-/// Keeps the vertices that can be reached from the root of the tree through cut points. Noise elsewhere does no harm,
-/// but one vertex that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
-struct Growing_policy
-{
-  /// Adds to `cut` the vertices where `is_cut(vertex)` holds; linear in the number of calls.
-  template <class Predicate, class CutTree>
-  void operator()(const Predicate& is_cut, CutTree& cut) const
-  {
-    const auto& graph = cut.tree().graph();
-    auto reached = cut.tree().roots();
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      for (const auto edge : boost::make_iterator_range(out_edges(reached[i], graph))) {
-        if (is_cut(target(edge, graph))) {
-          cut.keep(target(edge, graph));
-          reached.push_back(target(edge, graph));
-        }
-      }
-    }
-  }
-};
-
-} // namespace CSCD
 
 namespace CSCD::internal {
 
@@ -83,7 +39,6 @@ constexpr Cut_criterion point_cut_criterion()
 struct Cut_locus_settings
 {
   Cut_criterion criterion;
-  std::variant<Pruning_policy, Growing_policy> policy;
   /// Relative to the distance of the farthest point. Found by eye on a dozen meshes: with less, short branches of noise
   /// remain; with more, those of thin limbs such as fingers are lost.
   double minimum_branch_length = 0.03;
@@ -100,7 +55,6 @@ Cut_locus_settings cut_locus_settings(const NamedParameters& np, const Cut_crite
       choose_parameter(get_parameter(np, internal_np::laplacian_threshold), default_criterion.laplacian_threshold);
   settings.criterion.angle_threshold =
       choose_parameter(get_parameter(np, internal_np::angle_threshold), default_criterion.angle_threshold);
-  settings.policy = choose_parameter(get_parameter(np, internal_np::cut_locus_policy), Pruning_policy());
   settings.minimum_branch_length =
       choose_parameter(get_parameter(np, internal_np::minimum_branch_length), settings.minimum_branch_length);
   return settings;
@@ -115,13 +69,6 @@ enum class Target_rule
 {
   nearest_in_space,     ///< minimum Euclidean distance: around the limb, however wide it is
   nearest_along_surface ///< minimum geodesic distance: on a wide body that may be around another limb (supplement, J.1)
-};
-
-/// How the published method shortens the loop of a source.
-enum class Shortening_rule
-{
-  edge_flips, ///< to a geodesic, by flips of intrinsic edges (appendix E)
-  variational ///< by the variational flow, projected to the surface (appendix F)
 };
 
 /// Where the published method chooses the target of a source.
@@ -157,8 +104,7 @@ enum class Weight_rule
 enum class Placement_rule
 {
   centroids, ///< at the centroids of regions by area (algorithm 2, line 13)
-  sections   ///< on meshes as the local method: in the middle of sections across branches, with tips; else towards the
-             ///< middle of separators, with tips
+  sections   ///< as the local method: in the middle of sections across branches, with tips; on meshes only
 };
 
 /// Settings of the search for separators from distance fields, their packing, and nodes.
@@ -166,8 +112,6 @@ struct Field_search_settings
 {
   /// Which cut point is the target.
   Target_rule target_rule = Target_rule::nearest_in_space;
-  /// By default edge flips on meshes and the variational flow among points, where edges cannot be flipped.
-  std::optional<Shortening_rule> shortening_rule;
 
   /// The points where targets are chosen.
   Cut_locus_rule cut_locus_rule = Cut_locus_rule::points;
@@ -175,8 +119,6 @@ struct Field_search_settings
   std::optional<double> laplacian_threshold{};
   /// The least angle between gradients at a cut point, in radians; by default pi/3, among points pi/4.
   std::optional<double> angle_threshold{};
-  /// With `Cut_locus_rule::tree`: how the tree is filtered.
-  std::variant<Pruning_policy, Growing_policy> cut_locus_policy{};
   /// With `Cut_locus_rule::tree`: the least length of a branch, relative to the distance of the farthest point.
   double minimum_branch_length = 0.03;
 

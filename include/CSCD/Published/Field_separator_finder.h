@@ -19,28 +19,13 @@
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Solid_queries.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// Shortens the closed curve along `halfedges` within the smallest ball around the vertex `source` that holds it, and
-/// sets the crossings, points and measures of `separator`. Where the result is `collapsed`, `separator` stays as it
-/// was. One object serves one thread.
-using Separator_shortening =
-    std::function<Shortening_outcome(const std::vector<Index>& halfedges, Index source, Separator& separator)>;
 
 /// The locality constraint of appendix E.2: vertices outside of the smallest ball around the source that holds the
 /// curve are pinned. E.2 names no shape; the ball is that of F.2.
@@ -72,7 +57,8 @@ private:
   double m_squared_radius = 0;
 };
 
-/// A model of `Separator_shortening` by edge flips with the locality constraint (algorithm 3, appendix E).
+/// Shortens closed curves by edge flips with the locality constraint (algorithm 3, appendix E). One object serves one
+/// thread.
 /// \tparam Surface a model of `SurfaceTriangulation`
 /// \tparam Triangulation curves are given on its edges: `Surface` or its `Intrinsic_triangulation`
 template <class Surface, class Triangulation = Intrinsic_triangulation<Surface>>
@@ -85,8 +71,9 @@ public:
   {
   }
 
-  /// See `Separator_shortening`. The curve is moved off the vertices that it passes, so that it only crosses edges.
-  /// \return `collapsed` also where fewer than three edges are crossed
+  /// Shortens the closed curve along `halfedges` within the ball around the vertex `source`, and sets the crossings and
+  /// measures of `separator`. The curve is moved off the vertices that it passes, so that it only crosses edges.
+  /// \return `collapsed`, and `separator` stays as it was, also where fewer than three edges are crossed
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
     const std::vector<Vector_3>& points = m_surface.points();
@@ -111,57 +98,51 @@ private:
   std::vector<Vector_3> m_points;
 };
 
-/// A model of `Separator_shortening` by the variational flow within the ball (appendix F).
-/// \tparam Projection `Closest_point_projection` or `Moving_least_squares_projection`
-/// \tparam Trace finds the crossed edges: `Polygon_trace` or `Complex_trace`
-template <class Projection, class Trace>
+/// Shortens closed curves among points by the variational flow within the ball (appendix F). One object serves one
+/// thread.
 class Separator_variational_shortening
 {
 public:
-  /// \param surface that of `projection` and `Trace`; it is referred to and must outlive this object
-  template <class Surface>
-  Separator_variational_shortening(const Surface& surface, Projection projection)
-      : m_shortening(std::move(projection)), m_trace(surface)
+  /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
+  Separator_variational_shortening(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
+      : m_complex(complex), m_shortening(complex, neighborhoods), m_trace(complex)
   {
   }
 
-  /// See `Separator_shortening`.
+  /// As `Separator_flip_shortening`; sets the points of `separator`, too.
   /// \return `collapsed` also where the trace fails or the loop has fewer than three edges
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
     if (halfedges.size() < 3) {
       return Shortening_outcome::collapsed;
     }
-    const auto& surface = m_trace.surface();
-    const Vector_3& center = surface.point(source);
+    const Vector_3& center = m_complex.point(source);
     double radius = 0;
     m_points.clear();
     for (const Index h : halfedges) {
-      m_points.push_back(surface.point(surface.origin(h)));
+      m_points.push_back(m_complex.point(m_complex.origin(h)));
       radius = std::max(radius, (m_points.back() - center).norm());
     }
-    const std::size_t number_of_samples =
-        std::clamp(Trace::samples_per_edge * halfedges.size(), min_samples, max_samples);
+    const std::size_t number_of_samples = std::clamp(halfedges.size(), min_samples, max_samples);
     const Shortening_outcome outcome =
-        m_shortening(m_points, number_of_samples, center, radius, surface.origin(halfedges.front())).outcome;
+        m_shortening(m_points, number_of_samples, center, radius, m_complex.origin(halfedges.front()));
     if (outcome == Shortening_outcome::collapsed || !m_trace(m_shortening.curve(), m_crossings)) {
       return Shortening_outcome::collapsed;
     }
     separator.crossings = m_crossings;
-    if constexpr (!Trace::is_polygon_of_crossings) {
-      separator.points = m_points;
-    }
+    separator.points = m_points;
     set_measures(separator, m_points);
     return outcome;
   }
 
 private:
-  /// The number of sides of the polygon: more of them cost more and change nothing.
+  /// The number of sides of the polygon, which may be as long as edges: more of them cost more and change nothing.
   static constexpr std::size_t min_samples = 32;
   static constexpr std::size_t max_samples = 128;
 
-  Variational_shortening<Projection> m_shortening;
-  Trace m_trace;
+  const Point_complex& m_complex;
+  Variational_shortening m_shortening;
+  Complex_trace m_trace;
   std::vector<Vector_3> m_points;
   std::vector<Edge_crossing> m_crossings;
 };
@@ -181,7 +162,8 @@ struct Field_search_result
 /// angle or the cut locus, the target, two paths back from it, and shortening within the locality ball. One object
 /// serves one thread; it keeps working memory of the size of the surface.
 /// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
-template <class Measures>
+/// \tparam Shortening `Separator_flip_shortening` or `Separator_variational_shortening`
+template <class Measures, class Shortening>
 class Field_separator_finder
 {
 public:
@@ -190,17 +172,18 @@ public:
 
   /// \param basis is referred to, as \param points, the positions of the vertices
   /// \param settings which cut point is the target, and what cut points are
+  /// \param domain, data what `Shortening` is constructed with
+  template <class Domain, class Data>
   Field_separator_finder(const Basis& basis, const std::vector<Vector_3>& points, const Field_search_settings& settings,
-                         Separator_shortening shorten)
+                         const Domain& domain, const Data& data)
       : m_basis(basis), m_points(points), m_target_rule(settings.target_rule),
         m_cut_locus_rule(settings.cut_locus_rule), m_loop_finder(Measures::frames_of(basis), points),
-        m_shorten(std::move(shorten))
+        m_shorten(domain, data)
   {
     const Cut_criterion criterion = Measures::default_criterion();
     m_cut_locus.criterion = {settings.laplacian_threshold.value_or(criterion.laplacian_threshold),
                              settings.angle_threshold.value_or(criterion.angle_threshold)};
     m_has_handles = m_cut_locus_rule == Cut_locus_rule::tree && has_handles(Measures::frames_of(basis).triangulation());
-    m_cut_locus.policy = settings.cut_locus_policy;
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
   }
   Field_separator_finder(const Field_separator_finder&) = delete;
@@ -251,12 +234,9 @@ private:
   Cut_locus_settings m_cut_locus;
   bool m_has_handles = false;
   Cut_loop_finder<Measures> m_loop_finder;
-  Separator_shortening m_shorten;
+  Shortening m_shorten;
   Cut_loop m_loop;
 };
-
-/// The variational flow on a triangulated surface.
-using Surface_flow = Separator_variational_shortening<Closest_point_projection, Polygon_trace>;
 
 /// Estimates distances on a surface and finds separators from them: prepared once, shared by all threads. Distances,
 /// cut points, paths and loops belong to the intrinsic Delaunay triangulation (appendix G.1), including faces that fill
@@ -268,24 +248,14 @@ class Field_search_space
   using Triangulation = Intrinsic_triangulation<Surface>;
 
 public:
-  using Finder = Field_separator_finder<Cut_locus_indicators<Triangulation>>;
+  using Finder = Field_separator_finder<Cut_locus_indicators<Triangulation>, Separator_flip_shortening<Surface>>;
 
   /// \param surface is referred to and must outlive this object
-  /// \pre the shortening rule is not `variational`, which needs closest points, unless `Surface` is a
-  ///      `Triangulated_surface`
   Field_search_space(const Surface& surface, const Field_search_settings& settings)
       : m_surface(surface), m_settings(settings),
         m_triangulation(make_intrinsic_delaunay(surface, surface.number_of_faces())), m_frames(m_triangulation),
         m_heat_method(m_triangulation)
   {
-    const bool is_variational = settings.shortening_rule == Shortening_rule::variational;
-    if constexpr (std::is_same_v<Surface, Triangulated_surface>) {
-      if (is_variational) {
-        m_queries = std::make_unique<const Solid_queries>(surface);
-      }
-    } else {
-      CGAL_precondition(!is_variational);
-    }
   }
   Field_search_space(const Field_search_space&) = delete;
   Field_search_space& operator=(const Field_search_space&) = delete;
@@ -296,34 +266,14 @@ public:
   double mean_edge_length() const { return m_frames.mean_edge_length(); }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder() const { return Finder(m_frames, m_surface.points(), m_settings, make_shortening()); }
+  Finder make_finder() const { return Finder(m_frames, m_surface.points(), m_settings, m_surface, m_triangulation); }
 
 private:
-  Separator_shortening make_shortening() const
-  {
-    if constexpr (std::is_same_v<Surface, Triangulated_surface>) {
-      if (m_queries) {
-        const auto flow = std::make_shared<Surface_flow>(m_surface, Closest_point_projection(m_surface, *m_queries));
-        return [flow, this](std::vector<Index> halfedges, Index source, Separator& separator) {
-          for (Index& h : halfedges) {
-            h = m_triangulation.input_halfedge(h); // only their origins count
-          }
-          return (*flow)(halfedges, source, separator);
-        };
-      }
-    }
-    const auto flips = std::make_shared<Separator_flip_shortening<Surface>>(m_surface, m_triangulation);
-    return [flips](const std::vector<Index>& halfedges, Index source, Separator& separator) {
-      return (*flips)(halfedges, source, separator);
-    };
-  }
-
   const Surface& m_surface;
   Field_search_settings m_settings;
   Triangulation m_triangulation;
   Tangent_frames<Triangulation> m_frames;
   Heat_method m_heat_method;
-  std::unique_ptr<const Solid_queries> m_queries; ///< for the variational flow
 };
 
 /// Point clouds: the heat method on the intrinsic Delaunay triangulation of the tufted cover, loops along the edges of
@@ -332,16 +282,14 @@ template <>
 class Field_search_space<Point_complex>
 {
 public:
-  using Finder = Field_separator_finder<Point_cut_locus_indicators>;
+  using Finder = Field_separator_finder<Point_cut_locus_indicators, Separator_variational_shortening>;
 
   /// \param complex is referred to and must outlive this object
-  /// \pre `settings.shortening_rule` is not `edge_flips`: points have no edges to be flipped
   Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
       : m_complex(complex), m_settings(settings), m_frames(complex),
         m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
         m_derivatives(m_frames, m_heat_method.elements()), m_neighborhoods(complex)
   {
-    CGAL_precondition(settings.shortening_rule != Shortening_rule::edge_flips);
   }
   Field_search_space(Point_complex&&, const Field_search_settings&) = delete;
 
@@ -350,9 +298,7 @@ public:
   /// Makes a finder, which refers to this object.
   Finder make_finder() const
   {
-    using Flow = Separator_variational_shortening<Moving_least_squares_projection, Complex_trace>;
-    return Finder(m_derivatives, m_complex.points(), m_settings,
-                  Flow(m_complex, Moving_least_squares_projection(m_complex, m_neighborhoods)));
+    return Finder(m_derivatives, m_complex.points(), m_settings, m_complex, m_neighborhoods);
   }
 
 private:

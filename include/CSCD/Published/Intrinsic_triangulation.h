@@ -291,7 +291,6 @@ Flat_diamond flat_diamond(const Triangulation& triangulation, Index halfedge)
 /// have equal ends or both ends in common: go by halfedges, never by pairs of vertices. It has only lengths. Degenerate
 /// faces are mollified: a constant is added to the lengths of all edges, see `mollifying_length()`. The input is
 /// referred to and must outlive the object.
-/// `mollifying_length()`. The input is referred to and must outlive the object.
 /// \tparam Triangulation the input: halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`
 ///         (`no_index` on a border) and `length()`
 template <class Triangulation>
@@ -331,7 +330,6 @@ public:
 
   Index origin(Index halfedge) const { return m_halfedges[halfedge].origin; }
   Index target(Index halfedge) const { return m_halfedges[next(halfedge)].origin; }
-  Index opposite_vertex(Index halfedge) const { return m_halfedges[previous(halfedge)].origin; }
   /// `no_index` on a border.
   Index twin(Index halfedge) const { return m_halfedges[halfedge].twin; }
   bool is_border(Index halfedge) const { return twin(halfedge) == no_index; }
@@ -344,29 +342,10 @@ public:
   double length(Index halfedge) const { return m_halfedges[halfedge].length; }
   /// The angle of the face of `halfedge` at its origin.
   double angle(Index halfedge) const { return corner_angle(*this, halfedge); }
-  double mean_edge_length() const
-  {
-    double sum = 0;
-    std::size_t number = 0;
-    for (Index h = 0; h < number_of_halfedges(); ++h) {
-      if (edge(h) == h) {
-        sum += length(h);
-        ++number;
-      }
-    }
-    return number == 0 ? 0. : sum / double(number);
-  }
   /// @}
 
   /// \name Relation to the input
   /// @{
-  const Triangulation& input() const { return *m_input; }
-  /// The length that was added to every input edge.
-  double added_length() const { return m_added_length; }
-  /// Whether the edge runs along an edge of the input.
-  bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
-  /// The number of input edges that the edge crosses.
-  Index number_of_crossings(Index halfedge) const { return Index(crossings_of(m_halfedges[halfedge].coordinate)); }
   /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.
   Index input_halfedge(Index halfedge) const { return m_halfedges[halfedge].input_halfedge; }
 
@@ -409,8 +388,8 @@ public:
   }
 
   /// Flips edges until all are Delaunay; the faces of edges that cannot be flipped have angles of pi up to rounding.
-  /// Near linear in practice. \return the number of flips
-  std::size_t make_delaunay()
+  /// Near linear in practice.
+  void make_delaunay()
   {
     std::vector<Index> queue;
     std::vector<char> is_queued(number_of_halfedges(), 0);
@@ -425,7 +404,6 @@ public:
         push(h);
       }
     }
-    std::size_t number_of_flips = 0;
     while (!queue.empty()) {
       const Index h = queue.back();
       queue.pop_back();
@@ -433,13 +411,11 @@ public:
       if (is_delaunay(h) || !flip_if_better(h)) {
         continue;
       }
-      ++number_of_flips;
       const Index t = next(twin(previous(h)));
       for (const Index side : {h, next(h), t, next(t)}) {
         push(side);
       }
     }
-    return number_of_flips;
   }
   /// @}
 

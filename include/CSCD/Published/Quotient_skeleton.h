@@ -9,7 +9,6 @@
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -18,30 +17,14 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
-#include <optional>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// The sides of `face`, one after the other.
-/// \tparam Triangulation a model of `SurfaceTriangulation`
-template <class Triangulation>
-std::array<Index, 3> face_halfedges(const Triangulation& /* surface */, Index face)
-{
-  return {3 * face, 3 * face + 1, 3 * face + 2};
-}
-inline std::array<Index, 3> face_halfedges(const Point_complex& surface, Index face)
-{
-  return surface.face_halfedges(face);
-}
 
 /// For each part of the network between regions, the regions of the border cycles around it; linear.
 /// \param networks of edges, joined where they are connected between regions
@@ -66,190 +49,47 @@ std::vector<std::vector<Index>> collect_meetings(const Surface& surface, const R
   return meetings;
 }
 
-/// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept.
+/// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept. Near linear.
 ///
 /// Regions meet in a network of curves between them. Where a connected part of the network is one closed curve, it has
 /// a region on either side, which an edge joins. Where curves meet, at faces that have corners in three regions, all
 /// regions around that part of the network meet, and a junction joins them in place of a clique of edges. A region
 /// counts for every one of its border cycles: three regions around a thin handle, which meet in three separate curves,
-/// stay a cycle. Curves that end at a hole of the surface go on across it, two and two where they are between the same
-/// regions. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number of
-/// the graph is the genus of the surface.
-class Quotient_graph
+/// stay a cycle. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number
+/// of the graph is the genus of the surface.
+/// \tparam Surface a model of `SurfaceTriangulation`
+/// \param region a function that returns the region of a vertex
+/// \return for each connected part of the network, the regions of the border cycles around it, two at least; a region
+///         with several cycles there stands several times
+template <class Surface, class Region>
+std::vector<std::vector<Index>> region_meetings(const Surface& surface, const Region& region)
 {
-public:
-  /// Computes the graph; near linear.
-  /// \param region a function that returns the region of a vertex
-  template <class Surface, class Region>
-  Quotient_graph(const Surface& surface, const Region& region)
-      : m_networks(surface.number_of_halfedges()), m_cycles(surface.number_of_halfedges())
-  {
-    const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
-    for (Index face = 0; face < surface.number_of_faces(); ++face) {
-      const std::array<Index, 3> sides = face_halfedges(surface, face);
-      for (std::size_t k = 0; k < 3; ++k) {
-        join_at_corner(surface, is_between, sides[(k + 2) % 3], sides[k], sides[(k + 1) % 3]);
-      }
-    }
-    join_at_holes(surface, region, is_between);
-    m_meetings = collect_meetings(surface, region, m_networks, m_cycles);
-  }
-
-  /// For each connected part of the network, the regions of the border cycles around it, two at least; a region with
-  /// several cycles there stands several times.
-  const std::vector<std::vector<Index>>& meetings() const { return m_meetings; }
-
-private:
-  /// Joins edges and border cycles that are connected within a face, at the corner that its side `h` leaves. The border
-  /// cycle of a region has a point on every halfedge that leaves the region, named after the halfedge.
-  template <class Surface, class Predicate>
-  void join_at_corner(const Surface& surface, const Predicate& is_between, Index before, Index h, Index after)
-  {
+  Disjoint_sets networks(surface.number_of_halfedges()); // of edges between regions
+  // Of halfedges that leave a region: its border cycle has a point on each of them.
+  Disjoint_sets cycles(surface.number_of_halfedges());
+  const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Index before = Surface::previous(h);
     if (is_between(h) && is_between(before)) {
-      m_networks.join(edge_of(surface, h), edge_of(surface, before));
-      m_cycles.join(h, surface.twin(before));
-      if (!is_between(after)) {
+      networks.join(edge_of(surface, h), edge_of(surface, before));
+      cycles.join(h, surface.twin(before));
+      if (!is_between(Surface::next(h))) {
         // The corner lies alone in its region; the other two are on the other side.
-        m_cycles.join(surface.twin(h), before);
+        cycles.join(surface.twin(h), before);
       }
     }
   }
-
-  /// An edge of a hole between two regions, where a curve of the network ends, seen from one of them.
-  struct Hole_end
-  {
-    Index hole; ///< a vertex that stands for it
-    Index from; ///< a region
-    Index to;   ///< the other one
-    Index halfedge;
-  };
-  using Hole_ends = std::vector<Hole_end>;
-
-  /// All ends, by hole and regions; holes that touch are one.
-  template <class Surface, class Region, class Predicate>
-  static Hole_ends find_hole_ends(const Surface& surface, const Region& region, const Predicate& is_between)
-  {
-    std::vector<Index> number_of_faces(surface.number_of_halfedges(), 0);
-    for (Index face = 0; face < surface.number_of_faces(); ++face) {
-      for (const Index h : face_halfedges(surface, face)) {
-        ++number_of_faces[edge_of(surface, h)];
-      }
-    }
-    Disjoint_sets holes(surface.number_of_vertices());
-    Hole_ends ends;
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      if (number_of_faces[edge_of(surface, h)] == 1) {
-        holes.join(surface.origin(h), surface.target(h));
-        if (is_between(h)) {
-          ends.push_back({0, region(surface.origin(h)), region(surface.target(h)), h});
-        }
-      }
-    }
-    for (Hole_end& end : ends) {
-      end.hole = holes.find(surface.origin(end.halfedge));
-    }
-    std::sort(ends.begin(), ends.end(), [](const Hole_end& a, const Hole_end& b) {
-      return std::tie(a.hole, a.from, a.to, a.halfedge) < std::tie(b.hole, b.from, b.to, b.halfedge);
-    });
-    return ends;
-  }
-
-  template <class Surface, class Region, class Predicate>
-  void join_at_holes(const Surface& surface, const Region& region, const Predicate& is_between)
-  {
-    const Hole_ends ends = find_hole_ends(surface, region, is_between);
-    for (auto begin = ends.begin(); begin != ends.end();) {
-      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.hole != begin->hole; });
-      join_at_hole(surface, Hole_ends(begin, end));
-      begin = end;
-    }
-  }
-
-  /// Joins the ends at one hole. A region with only one neighbor at the hole is a finger of that neighbor into the
-  /// hole, and the curve between the two goes on around the tip of the finger. Without the finger, its neighbor may be
-  /// one. The ends that remain meet in a point.
-  template <class Surface>
-  void join_at_hole(const Surface& surface, Hole_ends ends)
-  {
-    for (auto finger = find_finger(ends); finger != ends.end(); finger = find_finger(ends)) {
-      const Index tip = finger->from;
-      const auto rest = std::stable_partition(ends.begin(), ends.end(),
-                                              [tip](const Hole_end& end) { return end.from != tip && end.to != tip; });
-      join_ends(surface, Hole_ends(rest, ends.end()));
-      ends.erase(rest, ends.end());
-    }
-    join_ends(surface, ends);
-  }
-
-  /// The first end of a region all of whose ends lead to the same other one. \pre `ends` are sorted
-  static Hole_ends::iterator find_finger(Hole_ends& ends)
-  {
-    for (auto begin = ends.begin(); begin != ends.end();) {
-      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.from != begin->from; });
-      if (begin->to == std::prev(end)->to) {
-        return begin;
-      }
-      begin = end;
-    }
-    return ends.end();
-  }
-
-  /// Joins all of `ends`, and the border cycles of each region there. \pre they are sorted
-  template <class Surface>
-  void join_ends(const Surface& surface, const Hole_ends& ends)
-  {
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      m_networks.join(edge_of(surface, ends[i - 1].halfedge), edge_of(surface, ends[i].halfedge));
-      if (ends[i - 1].from == ends[i].from) {
-        m_cycles.join(ends[i - 1].halfedge, ends[i].halfedge);
-      }
-    }
-  }
-
-  Disjoint_sets m_networks; ///< of edges between regions
-  Disjoint_sets m_cycles;   ///< of halfedges that leave a region
-  std::vector<std::vector<Index>> m_meetings;
-};
-
-/// The regions that meet at each part of the network between them, two at least.
-template <class Triangulation, class Region>
-std::vector<std::vector<Index>> region_meetings(const Triangulation& surface, const Region& region)
-{
-  return Quotient_graph(surface, region).meetings();
+  return collect_meetings(surface, region, networks, cycles);
 }
 
-/// The first Betti number of the graph that joins regions where they meet.
-inline std::size_t count_cycles(const std::vector<std::vector<Index>>& meetings)
-{
-  Index number_of_regions = 0;
-  for (const std::vector<Index>& meeting : meetings) {
-    number_of_regions = std::max(number_of_regions, *std::max_element(meeting.begin(), meeting.end()) + 1);
-  }
-  Disjoint_sets joined(number_of_regions + meetings.size());
-  std::size_t result = 0;
-  for (Index i = 0; i < meetings.size(); ++i) {
-    for (const Index region : meetings[i]) {
-      result += joined.join(number_of_regions + i, region) ? 0 : 1;
-    }
-  }
-  return result;
-}
-
-/// The same of points. Where there are cycles, those of the closed surface that the complex is a part of are counted
-/// too: if they are fewer, holes or bridges between sheets have made some, and regions meet as they do there.
+/// The same of points: of the closed surface that the complex is a part of, since holes and bridges between sheets
+/// would make cycles.
 template <class Region>
 std::vector<std::vector<Index>> region_meetings(const Point_complex& complex, const Region& region)
 {
-  std::vector<std::vector<Index>> meetings = Quotient_graph(complex, region).meetings();
-  const std::size_t number_of_cycles = count_cycles(meetings);
-  if (number_of_cycles == 0) {
-    return meetings;
-  }
   const Closed_complex closed(complex);
   const std::vector<Index> regions = closed.regions(region);
-  std::vector<std::vector<Index>> closed_meetings =
-      Quotient_graph(closed.surface(), [&regions](Index vertex) { return regions[vertex]; }).meetings();
-  return count_cycles(closed_meetings) < number_of_cycles ? closed_meetings : meetings;
+  return region_meetings(closed.surface(), [&regions](Index vertex) { return regions[vertex]; });
 }
 
 /// The radius of what a vertex stands for: nothing but itself on a surface. There are overloads of this, of
@@ -422,258 +262,6 @@ private:
   const Separator_regions& m_regions;
   std::function<void(Skeleton_builder&)> m_place_nodes;
   std::vector<double> m_area;
-};
-
-/// The surface of a limb beyond its last separator, by vertices.
-class Limb_end
-{
-public:
-  /// A limb gets a tip if its end is higher than this, relative to its radius.
-  static constexpr double min_tip_height = 0.7;
-
-  /// \param distance from the last separator
-  void add(const Vector_3& point, double area, float distance) { m_vertices.push_back({point, area, distance}); }
-
-  /// The largest distance; 0 without vertices.
-  float height() const
-  {
-    float result = 0;
-    for (const Vertex& vertex : m_vertices) {
-      result = std::max(result, vertex.distance);
-    }
-    return result;
-  }
-
-  /// The vertices that are at least `distance` from the separator, with distances from there.
-  Limb_end beyond(double distance) const
-  {
-    Limb_end result;
-    for (const Vertex& vertex : m_vertices) {
-      if (vertex.distance >= float(distance)) {
-        result.add(vertex.point, vertex.area, vertex.distance - float(distance));
-      }
-    }
-    return result;
-  }
-  /// The vertices that are nearer to it than `distance`.
-  Limb_end below(double distance) const
-  {
-    Limb_end result;
-    std::copy_if(m_vertices.begin(), m_vertices.end(), std::back_inserter(result.m_vertices),
-                 [distance](const Vertex& vertex) { return vertex.distance < float(distance); });
-    return result;
-  }
-
-  struct Ball
-  {
-    Vector_3 center;
-    double radius;
-  };
-  /// The centroid by area, and the mean distance from it; nothing if there are too few vertices for either.
-  std::optional<Ball> ball() const
-  {
-    if (m_vertices.size() < min_vertices) {
-      return std::nullopt;
-    }
-    Ball result{Vector_3::Zero(), 0};
-    double weight = 0;
-    for (const Vertex& vertex : m_vertices) {
-      result.center += vertex.area * vertex.point;
-      weight += vertex.area;
-    }
-    result.center /= weight;
-    for (const Vertex& vertex : m_vertices) {
-      result.radius += vertex.area / weight * (vertex.point - result.center).norm();
-    }
-    return weight > 0 ? std::optional<Ball>(result) : std::nullopt;
-  }
-
-  /// The tip of a limb with its last node at `base`, in the direction of the farthest vertices; nothing if the end is
-  /// not higher than `min_height`, relative to the radius.
-  std::optional<Vector_3> tip(const Vector_3& base, double radius, double min_height = min_tip_height) const
-  {
-    const float far = float(far_part * height());
-    Vector_3 sum = Vector_3::Zero();
-    double weight = 0;
-    for (const Vertex& vertex : m_vertices) {
-      if (vertex.distance >= far) {
-        sum += vertex.area * vertex.point;
-        weight += vertex.area;
-      }
-    }
-    const bool is_high = height() > min_height * radius && weight > 0;
-    return is_high ? tip_towards(base, (sum / weight - base).normalized(), radius) : std::nullopt;
-  }
-
-  /// The tip in `direction`, if the limb extends far enough there.
-  std::optional<Vector_3> tip_towards(const Vector_3& base, const Vector_3& direction, double radius) const
-  {
-    double extent = 0;
-    for (const Vertex& vertex : m_vertices) {
-      extent = std::max(extent, direction.dot(vertex.point - base));
-    }
-    const double length = extent - tip_depth * radius;
-    return length > min_tip_length * radius ? std::optional<Vector_3>(base + length * direction) : std::nullopt;
-  }
-
-private:
-  /// The tip stays this far below the surface ...
-  static constexpr double tip_depth = 0.75;
-  /// ... and this far from the node that it is joined to, relative to the radius.
-  static constexpr double min_tip_length = 0.3;
-  /// The direction of a tip is that to the vertices beyond this part of the height.
-  static constexpr double far_part = 0.6;
-  /// Fewer surround nothing.
-  static constexpr std::size_t min_vertices = 6;
-
-  struct Vertex
-  {
-    Vector_3 point;
-    double area;
-    float distance;
-  };
-  std::vector<Vertex> m_vertices;
-};
-
-/// Moves the nodes of regions towards the middle of their separators, and leads branches to the ends of limbs.
-/// \tparam Triangulation a model of `SurfaceTriangulation`, or `Point_complex`
-template <class Triangulation>
-class Region_sections
-{
-public:
-  Region_sections(const Triangulation& surface, const std::vector<Separator>& separators, const Region_packing& packing,
-                  Skeleton_builder& builder)
-      : m_surface(surface), m_separators(separators), m_packing(packing), m_builder(builder)
-  {
-  }
-
-  /// \pre node i of the builder is that of region i, joined to those that it touches
-  void operator()()
-  {
-    std::vector<Vector_3> outline;
-    for (Index region = 0; region < m_packing.packed().size(); ++region) {
-      curve_points(m_surface, separator(region), outline);
-      const Section_disc disc = section_disc(outline);
-      m_builder[region].position = region_share * m_builder[region].position + (1 - region_share) * disc.center;
-      m_builder[region].radius = disc.radius();
-    }
-    for (const Side& side : find_ends()) {
-      add_tip(side);
-    }
-  }
-
-private:
-  /// The share of the centroid of a region in the position of its node, as where the surface is cut.
-  static constexpr double region_share = 0.5;
-
-  /// The ends of limbs that are longer than this get nodes before the tip ...
-  static constexpr double min_long_height = 1.5;
-  /// ... in the middle of bands that are this high, and these as far from each other, relative to the radius at the
-  /// node before.
-  static constexpr double band_height = 0.5;
-  /// A band may be so much wider than the radius before: its vertices are farther from its middle along the limb, too.
-  static constexpr double max_thickening = 1.5;
-
-  /// A side of a separator without another separator beyond it.
-  struct Side
-  {
-    Index region;
-    double direction; ///< 1 where its normal points to, else -1
-    Limb_end end{};
-  };
-
-  const Separator& separator(Index region) const { return m_separators[m_packing.packed()[region]]; }
-  Index region_of(Index vertex) const { return m_packing.regions()[vertex]; }
-
-  /// Positive on that side of the separator of `region` where the normal points to.
-  double height(Index region, Index vertex) const
-  {
-    return separator(region).normal.dot(m_surface.points()[vertex] - separator(region).center);
-  }
-
-  /// For each region with a separator, how many more edges lead to others from the side that the normal points to than
-  /// from the other one.
-  std::vector<int> count_ways_out() const
-  {
-    std::vector<int> result(m_packing.packed().size(), 0);
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      const Index region = region_of(m_surface.origin(h));
-      if (region < result.size() && region_of(m_surface.target(h)) != region) {
-        result[region] += height(region, m_surface.origin(h)) > 0 ? 1 : -1;
-      }
-    }
-    return result;
-  }
-
-  /// The sides of regions at which limbs end.
-  std::vector<Side> find_ends() const
-  {
-    const std::vector<int> ways_out = count_ways_out();
-    std::vector<Side> sides;
-    std::vector<std::vector<Index>> sides_of_region(m_packing.regions().size());
-    for (Index region = 0; region < ways_out.size(); ++region) {
-      for (const int direction : {1, -1}) {
-        if (m_builder.degree(region) == 0 || (m_builder.degree(region) == 1 && direction * ways_out[region] < 0)) {
-          sides_of_region[region].push_back(Index(sides.size()));
-          sides.push_back({region, double(direction)});
-        }
-      }
-    }
-    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
-      for (const Index i : sides_of_region[region_of(vertex)]) {
-        if (sides[i].direction * height(sides[i].region, vertex) > 0) {
-          sides[i].end.add(m_surface.points()[vertex], double(m_surface.vertex_area(vertex)),
-                           m_packing.regions().distance(vertex));
-        }
-      }
-    }
-    return sides;
-  }
-
-  /// Leads the limb of `side` to its end: through the middle of bands as long as it gets no thicker, and not back.
-  void add_tip(const Side& side)
-  {
-    Index last = side.region;
-    Limb_end end = side.end;
-    while (end.height() > min_long_height * m_builder[last].radius) {
-      const double radius = m_builder[last].radius;
-      double height = band_height * radius;
-      while (3 * height < end.height() && !end.beyond(height).below(height).ball()) {
-        height *= 2; // there are few vertices around a thin limb
-      }
-      const std::optional<Limb_end::Ball> ball = end.beyond(height).below(height).ball();
-      if (!ball || ball->radius > max_thickening * radius || !leads_on(last, ball->center)) {
-        break;
-      }
-      last = append(last, ball->center, std::min(ball->radius, radius), side.region);
-      end = end.beyond(3 * height / 2); // the middle of the band
-    }
-    const std::optional<Vector_3> tip = end.tip(m_builder[last].position, m_builder[last].radius);
-    if (tip && leads_on(last, *tip)) {
-      append(last, *tip, m_builder[last].radius, side.region);
-    }
-  }
-
-  /// Whether the branch turns by less than a right angle at `last`, if it goes on to `position`.
-  bool leads_on(Index last, const Vector_3& position) const
-  {
-    const Skeleton_builder::Node& node = m_builder[last];
-    return node.neighbors.empty() ||
-           (node.position - m_builder[node.neighbors.front()].position).dot(position - node.position) > 0;
-  }
-
-  Index append(Index last, const Vector_3& position, double radius, Index region)
-  {
-    const Index node = m_builder.add_node(position, radius);
-    m_builder[node].pieces = {region};
-    m_builder.add_edge(last, node);
-    return node;
-  }
-
-  const Triangulation& m_surface;
-  const std::vector<Separator>& m_separators;
-  const Region_packing& m_packing;
-  Skeleton_builder& m_builder;
 };
 
 } // namespace CSCD::internal

@@ -196,39 +196,6 @@ private:
   std::vector<Vector_3> m_points;
 };
 
-/// For each of `separators`, 1 if it crosses itself in a face. Linear in the number of crossings.
-/// \tparam Triangulation a model of `SurfaceTriangulation`
-template <class Triangulation>
-std::vector<std::uint8_t> find_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators)
-{
-  std::vector<std::uint8_t> result;
-  result.reserve(separators.size());
-  Separator_arrangement_on<Triangulation> arrangement(surface);
-  for (Index i = 0; i < separators.size(); ++i) {
-    arrangement.clear();
-    result.push_back(arrangement.insert(i, separators[i].crossings) ? 0 : 1);
-  }
-  return result;
-}
-
-/// For each of `separators`, 1 if it crosses an edge twice: among points, curves cannot be followed more closely within
-/// faces. Linear in the number of crossings.
-inline std::vector<std::uint8_t> find_self_crossings(const Point_complex& surface,
-                                                     const std::vector<Separator>& separators)
-{
-  std::vector<std::uint8_t> result;
-  result.reserve(separators.size());
-  Epoch_marks crossed(surface.number_of_halfedges());
-  for (const Separator& separator : separators) {
-    crossed.clear();
-    const bool is_simple =
-        std::all_of(separator.crossings.begin(), separator.crossings.end(),
-                    [&](const Edge_crossing& crossing) { return crossed.mark(edge_of(surface, crossing.halfedge)); });
-    result.push_back(is_simple ? 0 : 1);
-  }
-  return result;
-}
-
 /// The end of the crossed edge that `crossing` is closer to; in the middle, the same one in either direction.
 template <class Surface>
 Index nearest_vertex(const Surface& surface, const Edge_crossing& crossing)
@@ -281,14 +248,6 @@ public:
   /// \param surface whose edges the separators cross
   template <class Surface>
   Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
-      : Separator_overlaps(surface, separators, find_self_crossings(surface, separators))
-  {
-  }
-  /// The same where it is known already which separators cross themselves.
-  template <class Surface>
-  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators,
-                     std::vector<std::uint8_t> crosses_itself)
-      : m_crosses_itself(std::move(crosses_itself))
   {
     collect_rings(surface, separators, [](const Edge_crossing&) { return true; });
     list_passes(surface.number_of_vertices());
@@ -299,7 +258,6 @@ public:
   static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)
   {
     Separator_overlaps result;
-    result.m_crosses_itself = find_self_crossings(surface, separators);
     result.collect_rings(surface, separators, [](const Edge_crossing& crossing) {
       return std::min(crossing.position, 1 - crossing.position) <= vertex_offset;
     });
@@ -322,8 +280,6 @@ public:
     std::sort(m_others.begin(), m_others.end());
     return m_others;
   }
-  /// Whether `separator` is not a simple curve.
-  bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:
   /// A piece of a separator in a face, between two barycentric coordinates of its ends each.
@@ -426,7 +382,6 @@ private:
     }
   }
 
-  std::vector<std::uint8_t> m_crosses_itself;
   std::vector<std::size_t> m_ring_begin; ///< of every separator
   std::vector<Index> m_rings;
   Compressed_rows<Index, std::size_t> m_passes; ///< of every vertex
@@ -440,21 +395,20 @@ private:
 /// Packs separators that do not overlap, greedily (section 3.2.3): first those whose weight is large against the
 /// weights of all that they would exclude, w / (1 + sum of the w of its overlaps), as Baerentzen and Rotenberg order
 /// local separators.
-/// \param weights for each separator, how good it is; those of weight 0 and those that cross themselves are not packed
+/// \param weights for each separator, how good it is; those of weight 0 are not packed
 /// \return the packed separators, the first packed first; equal ones in the order of their numbers
 inline std::vector<Index> pack_by_overlap(Separator_overlaps& overlaps, const std::vector<double>& weights)
 {
   const std::size_t size = weights.size();
   std::vector<double> order_weight(size, 0);
   std::vector<Index> order;
-  const auto is_allowed = [&](Index i) { return weights[i] > 0 && !overlaps.crosses_itself(i); };
   for (Index i = 0; i < size; ++i) {
-    if (!is_allowed(i)) {
+    if (!(weights[i] > 0)) {
       continue;
     }
     double excluded = 0;
     for (Index other : overlaps.others(i)) {
-      excluded += is_allowed(other) ? weights[other] : 0;
+      excluded += weights[other];
     }
     order_weight[i] = weights[i] / (1 + excluded);
     order.push_back(i);
@@ -579,6 +533,7 @@ private:
     }
     const auto& triangulation = surface.triangulation();
     if constexpr (!std::is_same_v<std::decay_t<decltype(triangulation)>, Point_complex>) {
+      drop_self_crossings(triangulation, separators, weights);
       if (settings.overlap_rule == Overlap_rule::crossing) {
         Separator_overlaps overlaps = Separator_overlaps::meeting(triangulation, separators);
         return resolved(triangulation, separators, pack_by_overlap(overlaps, weights));
@@ -587,6 +542,20 @@ private:
     check_overlap_rule<std::decay_t<decltype(triangulation)>>(settings.overlap_rule);
     Separator_overlaps overlaps(triangulation, separators);
     return pack_by_overlap(overlaps, weights);
+  }
+
+  /// Sets the weights of separators that cross themselves in a face to 0. Linear in the number of crossings.
+  template <class Triangulation>
+  static void drop_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators,
+                                  std::vector<double>& weights)
+  {
+    Separator_arrangement_on<Triangulation> arrangement(surface);
+    for (Index i = 0; i < separators.size(); ++i) {
+      arrangement.clear();
+      if (!arrangement.insert(i, separators[i].crossings)) {
+        weights[i] = 0;
+      }
+    }
   }
 
   /// The separators of `packed` that the vertices resolve; no two of `packed` cross. Where several run between the same

@@ -14,7 +14,6 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -167,14 +166,8 @@ public:
   using Level_space = Field_search_space<Triangulated_surface>;
 
   /// \param levels is referred to and must outlive this object
-  Multiscale_search_space(const Surface_levels& levels, Field_search_settings settings) : m_levels(levels)
+  Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings) : m_levels(levels)
   {
-    if (finest_level() > 0) { // loops are shortened on the finest level only
-      if (settings.shortening_rule == Shortening_rule::variational) {
-        m_queries = std::make_unique<const Solid_queries>(levels.finest().surface);
-      }
-      settings.shortening_rule.reset();
-    }
     for (Index level = finest_level(); level <= coarsest_level(); ++level) {
       m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings));
     }
@@ -188,27 +181,12 @@ public:
   /// \pre `level` is not below `finest_level()` nor above `coarsest_level()`
   const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
 
-  /// The shortening of loops along the edges of the finest level.
-  Separator_shortening make_shortening() const
-  {
-    const Triangulated_surface& surface = m_levels.finest().surface;
-    if (m_queries) {
-      return Surface_flow(surface, Closest_point_projection(surface, *m_queries));
-    }
-    using Flips = Separator_flip_shortening<Triangulated_surface, Triangulated_surface>;
-    const auto flips = std::make_shared<Flips>(surface, surface);
-    return [flips](const std::vector<Index>& halfedges, Index source, Separator& separator) {
-      return (*flips)(halfedges, source, separator);
-    };
-  }
-
 private:
   /// A level of at most so many vertices needs no coarser one: solves take little time, and estimated distances need
   /// edges that are short compared with the limbs.
   static constexpr Index coarsest_size = 6000;
 
   const Surface_levels& m_levels;
-  std::unique_ptr<const Solid_queries> m_queries; ///< for the variational flow
   std::vector<std::unique_ptr<const Level_space>> m_spaces;
 };
 
@@ -221,7 +199,8 @@ class Multiscale_group_search
 public:
   /// \param space is referred to
   explicit Multiscale_group_search(const Multiscale_search_space& space)
-      : m_space(space), m_levels(space.levels()), m_projection(m_levels), m_shorten(space.make_shortening())
+      : m_space(space), m_levels(space.levels()), m_projection(m_levels),
+        m_shorten(m_levels.finest().surface, m_levels.finest().surface)
   {
     for (Index level = space.finest_level(); level <= space.coarsest_level(); ++level) {
       m_finders.push_back(std::make_unique<Finder>(space[level]));
@@ -392,8 +371,8 @@ private:
   const Surface_levels& m_levels;
   std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
   Loop_projection m_projection;
-  Separator_shortening m_shorten;     ///< on the finest level
-  std::vector<std::size_t> m_pending; ///< places in the group
+  Separator_flip_shortening<Triangulated_surface, Triangulated_surface> m_shorten; ///< on the finest level
+  std::vector<std::size_t> m_pending;                                              ///< places in the group
   std::vector<Level_source> m_level_sources;
   std::vector<std::vector<Geodesic_source>> m_source_sets;
   std::vector<std::vector<double>> m_distances;

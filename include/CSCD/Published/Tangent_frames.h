@@ -253,7 +253,6 @@ public:
   }
   explicit Tufted_cover(Point_complex&&) = delete;
 
-  const Point_complex& complex() const { return m_complex; }
   Index number_of_vertices() const { return m_complex.number_of_vertices(); }
   Index number_of_halfedges() const { return Index(m_sides.size()); }
   Index number_of_faces() const { return Index(m_sides.size() / 3); }
@@ -362,11 +361,6 @@ public:
   /// rotation that takes one normal to the other.
   const Complex& transport_to_origin(Index halfedge) const { return m_transport[halfedge]; }
 
-  /// The tangent vector `vector` of `vertex`, in space.
-  Vector_3 in_space(Index vertex, const Complex& vector) const
-  {
-    return vector.real() * m_axis[vertex] + vector.imag() * m_complex.normal(vertex).cross(m_axis[vertex]);
-  }
   /// The projection of `vector` to the tangent plane of `vertex`.
   Complex in_frame(Index vertex, const Vector_3& vector) const
   {

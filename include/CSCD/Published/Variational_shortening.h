@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortens a closed curve by minimizing an energy of its points on a surface that need only be projected to (appendix
-// F).
+// Shortens a closed curve among points by minimizing an energy; its points are projected to the surface (appendix F).
 
 #ifndef CSCD_PUBLISHED_VARIATIONAL_SHORTENING_H
 #define CSCD_PUBLISHED_VARIATIONAL_SHORTENING_H
 
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Solid_queries.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -26,83 +23,28 @@
 
 namespace CSCD::internal {
 
-/// A point of a surface as `Variational_shortening` needs it.
+/// A point of the surface of a point complex.
 struct Projected_point
 {
   Vector_3 point = Vector_3::Zero();
-  Vector_3 normal = Vector_3::Zero(); ///< of unit length; zero where there is none
-  Index site = no_index;              ///< where the search for a nearby point may begin: here the face
+  Vector_3 normal = Vector_3::Zero(); ///< of unit length
+  Index site = no_index;              ///< the nearest vertex, where the search for a nearby point begins
 };
 
-/// Projects points to the nearest point of a triangulated surface, with the normal of its face: the nearest one of all,
-/// or the one that is nearest around a face. The latter does not jump to another part of the surface, and is faster.
-/// Const and thread safe.
-class Closest_point_projection
-{
-public:
-  /// Whether it has to be given the site of a point nearby.
-  static constexpr bool needs_site = false;
-
-  /// \param queries those of `surface`; both are referred to and must outlive this object
-  Closest_point_projection(const Triangulated_surface& surface, const Solid_queries& queries)
-      : m_surface(&surface), m_queries(&queries)
-  {
-  }
-
-  /// O(log n), or O(k) for k faces on the way.
-  /// \param near the face of a point nearby, where the descent of the distance begins; `no_index` for none
-  Projected_point operator()(const Vector_3& point, Index near) const
-  {
-    const Surface_point nearest = near == no_index ? m_queries->closest_point(point) : descend(point, near);
-    const Vector_3 vector = m_surface->face_vector(nearest.face);
-    const double norm = vector.norm();
-    return {nearest.point, norm > 0 ? Vector_3(vector / norm) : Vector_3(Vector_3::Zero()), nearest.face};
-  }
-
-private:
-  /// Goes on to the nearest face around the last one until none is nearer.
-  Surface_point descend(const Vector_3& point, Index face) const
-  {
-    Surface_point nearest{m_queries->closest_point_of_face(face, point), face};
-    double least = (nearest.point - point).squaredNorm();
-    for (Index center = no_index; center != nearest.face;) {
-      center = nearest.face;
-      for (Index corner = 3 * center; corner < 3 * center + 3; ++corner) {
-        for (const Index h : m_surface->outgoing(m_surface->origin(corner))) {
-          const Vector_3 candidate = m_queries->closest_point_of_face(Triangulated_surface::face(h), point);
-          const double distance = (candidate - point).squaredNorm();
-          if (distance < least) {
-            least = distance;
-            nearest = {candidate, Triangulated_surface::face(h)};
-          }
-        }
-      }
-    }
-    return nearest;
-  }
-
-  const Triangulated_surface* m_surface;
-  const Solid_queries* m_queries;
-};
-
-/// Projects points to the moving least squares surface of a point complex, for `Variational_shortening`; the site is
-/// the nearest vertex.
+/// Projects points to the moving least squares surface of a point complex, for `Variational_shortening`.
 ///
 /// The surface is where the weighted mean of (n + n_i) . (x - p_i) vanishes, over the points p_i near x with their
 /// normals n_i; n is the weighted mean of the n_i. This is a plane fit with oriented normals, except that n is added to
 /// n_i: a chord of a circle is perpendicular to the sum of the normals at its ends, so a sphere is met exactly, while a
 /// plane fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019).
 /// Only points of the sheet of the site count. The site is sought over edges from the last one: so no point jumps to
-/// another sheet. Const and thread safe; copies are cheap.
+/// another sheet. Const and thread safe.
 class Moving_least_squares_projection
 {
 public:
-  /// Whether it has to be given the site of a point nearby.
-  static constexpr bool needs_site = true;
-
   /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
   Moving_least_squares_projection(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
-      : m_complex(&complex), m_neighborhoods(&neighborhoods)
+      : m_complex(complex), m_neighborhoods(neighborhoods)
   {
   }
 
@@ -113,7 +55,7 @@ public:
   {
     CGAL_precondition(near != no_index);
     Projected_point result{point, Vector_3::Zero(), nearest(point, near)};
-    const double small_height = min_height * m_neighborhoods->spacing(result.site);
+    const double small_height = min_height * m_neighborhoods.spacing(result.site);
     for (int i = 0; i < max_iterations; ++i) {
       const double height = fit(result);
       result.point -= height * result.normal;
@@ -132,8 +74,8 @@ private:
   /// Goes on to the nearest neighbor that looks to the same side until none is nearer.
   Index nearest(const Vector_3& point, Index vertex) const
   {
-    return descend_to_nearest(*m_complex, point, vertex, [this](Index from, Index to) {
-      return m_complex->normal(to).dot(m_complex->normal(from)) > 0;
+    return descend_to_nearest(m_complex, point, vertex, [this](Index from, Index to) {
+      return m_complex.normal(to).dot(m_complex.normal(from)) > 0;
     });
   }
 
@@ -146,13 +88,13 @@ private:
     double height = 0; // of the point above the tangent planes
     Vector_3 offset = Vector_3::Zero();
     Vector_3 normal = Vector_3::Zero();
-    for (const Index vertex : m_neighborhoods->neighbors(projected.site)) {
-      const Vector_3 difference = projected.point - m_complex->point(vertex);
-      const double radius = m_neighborhoods->radius(vertex);
+    for (const Index vertex : m_neighborhoods.neighbors(projected.site)) {
+      const Vector_3 difference = projected.point - m_complex.point(vertex);
+      const double radius = m_neighborhoods.radius(vertex);
       const double rest = 1 - difference.squaredNorm() / (radius * radius);
       if (rest > 0) {
         const double weight = rest * rest * rest * rest;
-        const Vector_3& n = m_complex->normal(vertex);
+        const Vector_3& n = m_complex.normal(vertex);
         sum += weight;
         height += weight * n.dot(difference);
         offset += weight * difference;
@@ -161,16 +103,16 @@ private:
     }
     const double norm = normal.norm();
     if (!(norm > 0)) {
-      projected.point = m_complex->point(projected.site);
-      projected.normal = m_complex->normal(projected.site);
+      projected.point = m_complex.point(projected.site);
+      projected.normal = m_complex.normal(projected.site);
       return 0;
     }
     projected.normal = normal / norm;
     return (height + projected.normal.dot(offset)) / (norm + sum);
   }
 
-  const Point_complex* m_complex;
-  const Point_neighborhoods* m_neighborhoods;
+  const Point_complex& m_complex;
+  const Point_neighborhoods& m_neighborhoods;
 };
 
 /// Replaces `right_side` by the solution of a closed chain: row i has `diagonal[i]`, and -`coupling[i]` for its
@@ -240,15 +182,6 @@ inline void resample_polygon(const std::vector<Vector_3>& points, std::size_t nu
   }
 }
 
-/// The report of a variational shortening.
-struct Variational_report
-{
-  Shortening_outcome outcome = Shortening_outcome::straight;
-  int number_of_iterations = 0;
-  double length_before = 0; ///< of the polygon of the samples
-  double length = 0;
-};
-
 /// Shortens closed curves by the variational method of appendix F.
 ///
 /// The energy of points x_i is the sum of H(|x_i - x_{i+1}|) + lambda max(0, |x_i - c| - r)^2, where H(s) = exp(s^2) -
@@ -258,13 +191,14 @@ struct Variational_report
 ///
 /// The ball does not prevent a curve that nothing holds from shrinking to a point, as the supplement has it: that is
 /// noticed by the lost length. An object is working memory, and is reused.
-/// \tparam Projection is called as `projection(point, near)` with the site of a projected point nearby or, unless it
-///         `needs_site`, `no_index`, and gives a `Projected_point`: `Closest_point_projection` for meshes
-template <class Projection>
 class Variational_shortening
 {
 public:
-  explicit Variational_shortening(Projection projection) : m_projection(std::move(projection)) {}
+  /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
+  Variational_shortening(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
+      : m_projection(complex, neighborhoods)
+  {
+  }
 
   /// Weight of leaving the ball, lambda, that of the supplement: a curve under full tension leaves the ball by about a
   /// hundredth of its sides times its number of turns.
@@ -277,26 +211,26 @@ public:
   /// Shortens the closed polygon `points`, which lies on the surface or near it, within the ball around `center`.
   /// O(iterations times `number_of_samples` projections).
   /// \param points gets the samples, on the surface and about equally far from each other
-  /// \param radius of the ball; infinite for none
-  /// \param near a site near the first point, where the projection needs one
+  /// \param radius of the ball
+  /// \param near a vertex near the first point
   /// \return `held` where points are outside of the ball, `unfinished` after `max_iterations`
   /// \pre `number_of_samples` >= 3, `points` is not empty
-  Variational_report operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
-                                double radius, Index near = no_index)
+  Shortening_outcome operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
+                                double radius, Index near)
   {
     CGAL_precondition(number_of_samples >= 3);
     resample_polygon(points, number_of_samples, m_samples);
     m_curve.clear();
     for (const Vector_3& sample : m_samples) {
-      m_curve.push_back(m_projection(sample, Projection::needs_site ? near : no_index));
+      m_curve.push_back(m_projection(sample, near));
       near = m_curve.back().site;
     }
-    const Variational_report report = shorten(center, radius);
+    const Shortening_outcome outcome = shorten(center, radius);
     points.resize(number_of_samples);
     for (std::size_t i = 0; i < number_of_samples; ++i) {
       points[i] = m_curve[i].point;
     }
-    return report;
+    return outcome;
   }
 
   /// The points of the last curve, with their sites.
@@ -327,16 +261,13 @@ private:
   /// chain's stiffness: without that, the number of iterations grows with that of the points. The step is that of
   /// Barzilai and Borwein, "Two-point step size gradient methods" (1988), halved until the energy sinks enough
   /// (Armijo), and every point is projected back to the surface.
-  Variational_report shorten(const Vector_3& center, double radius)
+  Shortening_outcome shorten(const Vector_3& center, double radius)
   {
     m_center = center;
     m_radius = radius;
-    Variational_report report;
-    report.length_before = length();
-    m_unit = report.length_before / double(size());
-    report.outcome = report.length_before > 0 ? minimize(report) : Shortening_outcome::collapsed;
-    report.length = length();
-    return report;
+    const double first_length = length();
+    m_unit = first_length / double(size());
+    return first_length > 0 ? minimize(first_length) : Shortening_outcome::collapsed;
   }
 
   double length() const
@@ -422,26 +353,25 @@ private:
     return sum;
   }
 
-  Shortening_outcome minimize(Variational_report& report)
+  Shortening_outcome minimize(double first_length)
   {
     double last_energy = energy(m_curve);
     double energy_before = last_energy; // some iterations ago
     double step = 1;
     set_gradient();
-    while (longest(m_gradient) > min_gradient) {
-      if (report.number_of_iterations == max_iterations) {
+    for (int i = 1; longest(m_gradient) > min_gradient; ++i) {
+      if (i > max_iterations) {
         return Shortening_outcome::unfinished;
       }
-      ++report.number_of_iterations;
       const double slope = product(m_gradient, m_direction);
       step = descend(std::min(step, longest_step / longest(m_direction)), slope, last_energy);
       if (step == 0) {
         return outcome_at_minimum();
       }
-      if (length() < min_length_ratio * report.length_before) {
+      if (length() < min_length_ratio * first_length) {
         return Shortening_outcome::collapsed;
       }
-      if (report.number_of_iterations % patience == 0) {
+      if (i % patience == 0) {
         if (energy_before - last_energy <= min_decrease * energy_before) {
           return outcome_at_minimum();
         }
@@ -506,7 +436,7 @@ private:
     return change > 0 ? step * step * slope / change : std::numeric_limits<double>::max();
   }
 
-  Projection m_projection;
+  Moving_least_squares_projection m_projection;
   Vector_3 m_center = Vector_3::Zero();
   double m_radius = 0;
   double m_unit = 1; // the mean side of the polygon to begin with

@@ -138,6 +138,7 @@ public:
     }
   }
 
+private:
   /// The point of `face` that is nearest to `point`, by the signs of the point's barycentric coordinates
   /// (C. Ericson, Real-Time Collision Detection, 5.1.5). A side without length is left to the other sides.
   Vector_3 closest_point_of_face(Index face, const Vector_3& point) const
@@ -178,7 +179,6 @@ public:
     return sum > 0 ? Vector_3(a + at_b / sum * ab + at_c / sum * ac) : a;
   }
 
-private:
   /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and queries are as fast.
   static constexpr Index default_block_size = 4;
   /// Above this mean diagonal of the boxes of blocks, relative to the mean length of edges, each face is a leaf of its

@@ -15,7 +15,6 @@ CSCD_add_named_parameter(use_skeleton_radii_t, use_skeleton_radii, use_skeleton_
 CSCD_add_named_parameter(match_distance_t, match_distance, match_distance)
 CSCD_add_named_parameter(time_step_factor_t, time_step_factor, time_step_factor)
 CSCD_add_named_parameter(distance_map_t, distance_map, distance_map)
-CSCD_add_named_parameter(cut_locus_policy_t, cut_locus_policy, cut_locus_policy)
 CSCD_add_named_parameter(laplacian_threshold_t, laplacian_threshold, laplacian_threshold)
 CSCD_add_named_parameter(angle_threshold_t, angle_threshold, angle_threshold)
 CSCD_add_named_parameter(minimum_branch_length_t, minimum_branch_length, minimum_branch_length)
