@@ -26,22 +26,32 @@
 
 namespace CSCD::internal {
 
-CSCD_INLINE void sort_canonically(Point_cloud& cloud)
+CSCD_INLINE void sort_along_curve(const std::vector<Vector_3>& points, std::vector<Index>& order)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
+  std::vector<Kernel::Point_3> cgal_points;
+  cgal_points.reserve(points.size());
+  for (const Vector_3& point : points) {
+    cgal_points.emplace_back(point.x(), point.y(), point.z());
+  }
+  const auto map = boost::make_iterator_property_map(cgal_points.cbegin(), boost::typed_identity_property_map<Index>());
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(map)>>(map));
+}
+
+CSCD_INLINE void sort_canonically(Point_cloud& cloud)
+{
   cloud.pose = Canonical_pose(cloud.points);
-  std::vector<Kernel::Point_3> posed;
+  std::vector<Vector_3> posed;
   posed.reserve(cloud.points.size());
   for (const Vector_3& point : cloud.points) {
-    const Vector_3 in_pose = cloud.pose(point);
-    posed.emplace_back(in_pose.x(), in_pose.y(), in_pose.z());
+    posed.push_back(cloud.pose(point));
   }
   std::vector<Index> order(cloud.points.size());
   std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(), [&posed](Index i, Index j) { return posed[i] < posed[j]; });
-  const auto point_map = boost::make_iterator_property_map(posed.cbegin(), boost::typed_identity_property_map<Index>());
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(point_map)>>(point_map));
+  std::sort(order.begin(), order.end(),
+            [&posed](Index i, Index j) { return is_lexicographically_less(posed[i], posed[j]); });
+  sort_along_curve(posed, order);
   std::vector<Index> number(order.size());
   std::vector<Vector_3> points;
   std::vector<Vector_3> normals;

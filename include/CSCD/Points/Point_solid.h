@@ -19,8 +19,9 @@
 namespace CSCD {
 
 namespace internal {
-class Point_solid_queries;
-}
+class Point_tree;
+class Winding_number;
+} // namespace internal
 
 /// Points joined by the triangles that their neighborhoods agree on, and the queries for the body that they enclose, by
 /// the winding number of the points with their normals and areas. The model of `SkeletonizationSurface` for point
@@ -60,7 +61,9 @@ public:
 private:
   std::vector<Index> m_vertex_of_point;
   Point_complex m_complex;
-  std::unique_ptr<const internal::Point_solid_queries> m_queries; // refers to the complex
+  std::unique_ptr<const internal::Winding_number> m_winding_number;
+  std::unique_ptr<const internal::Point_tree> m_tree;
+  double m_step; // along lines: half the spacing of the points
 };
 
 } // namespace CSCD

@@ -1,31 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Queries of the body that points bound: the generalized winding number, and where lines enter and leave.
+// The generalized winding number of oriented points.
 
-#ifndef CSCD_POINTS_POINT_SOLID_QUERIES_H
-#define CSCD_POINTS_POINT_SOLID_QUERIES_H
+#ifndef CSCD_POINTS_WINDING_NUMBER_H
+#define CSCD_POINTS_WINDING_NUMBER_H
 
-#include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/Points/Point_complex.h>
 #include <CSCD/Vector_3.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/assertions.h>
-#include <CGAL/hilbert_sort.h>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace CSCD::internal {
@@ -47,7 +39,10 @@ public:
   Winding_number(const std::vector<Vector_3>& points, const std::vector<Vector_3>& area_vectors)
   {
     CGAL_precondition(points.size() == area_vectors.size());
-    for (const Index i : hilbert_order(points)) {
+    std::vector<Index> order(points.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    sort_along_curve(points, order);
+    for (const Index i : order) {
       m_dipoles.push_back({points[i], area_vectors[i]});
     }
     std::size_t number_of_leaves = 1;
@@ -57,9 +52,6 @@ public:
     m_nodes.resize(2 * number_of_leaves);
     build(1, 0, m_dipoles.size());
   }
-
-  /// The winding number of the vertices of `complex`.
-  explicit Winding_number(const Point_complex& complex) : Winding_number(complex.points(), area_vectors(complex)) {}
 
   /// The winding number at `query`, to about a hundredth; O(log n) in expectation. A piece at the very place of
   /// `query` does not count.
@@ -86,9 +78,6 @@ public:
     }
     return sum / (4 * boost::math::double_constants::pi);
   }
-
-  /// Whether `query` is inside: whether the surface winds around it more than a half.
-  bool is_inside(const Vector_3& query) const { return (*this)(query) > 0.5; }
 
 private:
   struct Dipole
@@ -121,33 +110,6 @@ private:
   static constexpr std::size_t max_levels = 64;
   /// How far a node must be to count as one, relative to its radius; that of Barill et al.
   static constexpr double reach = 2;
-
-  static std::vector<Vector_3> area_vectors(const Point_complex& complex)
-  {
-    std::vector<Vector_3> result;
-    result.reserve(complex.number_of_vertices());
-    for (Index vertex = 0; vertex < complex.number_of_vertices(); ++vertex) {
-      result.push_back(complex.vertex_area(vertex) * complex.normal(vertex));
-    }
-    return result;
-  }
-
-  static std::vector<Index> hilbert_order(const std::vector<Vector_3>& points)
-  {
-    using Kernel = CGAL::Simple_cartesian<double>;
-    std::vector<Kernel::Point_3> cgal_points;
-    cgal_points.reserve(points.size());
-    for (const Vector_3& point : points) {
-      cgal_points.emplace_back(point.x(), point.y(), point.z());
-    }
-    std::vector<Index> order(points.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    const auto map =
-        boost::make_iterator_property_map(cgal_points.cbegin(), boost::typed_identity_property_map<Index>());
-    CGAL::hilbert_sort(order.begin(), order.end(),
-                       CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(map)>>(map));
-    return order;
-  }
 
   bool is_leaf(std::size_t node) const { return 2 * node >= m_nodes.size(); }
 
@@ -224,65 +186,6 @@ private:
   std::vector<Node> m_nodes;     // the first is none
 };
 
-/// The body that oriented points enclose, by their winding number: what `Solid_queries` is for surfaces, as well as
-/// points allow. Lines are followed in steps of half the spacing. Const and thread safe.
-class Point_solid_queries
-{
-public:
-  /// O(n log n).
-  /// \param complex is referred to and must outlive this object
-  explicit Point_solid_queries(const Point_complex& complex)
-      : m_complex(complex), m_winding_number(complex), m_tree(complex.points()), m_step(complex.mean_edge_length() / 2)
-  {
-  }
-  explicit Point_solid_queries(Point_complex&&) = delete;
-
-  /// Whether the body holds `point`. O(log n).
-  bool is_inside(const Vector_3& point) const { return m_winding_number.is_inside(point); }
-
-  /// The middle of the body behind the point of the complex that is nearest to `point`; none where the body is too thin
-  /// to tell. O(log n) for each step through the body.
-  std::optional<Vector_3> middle_behind(const Vector_3& point) const
-  {
-    const Index nearest = m_tree.nearest(point);
-    const Vector_3& begin = m_complex.point(nearest);
-    const Vector_3 inward = -m_complex.normal(nearest);
-    // A full spacing away, the winding number does not feel single points any more.
-    double depth = 2 * m_step;
-    if (!is_inside(begin + depth * inward)) {
-      return std::nullopt;
-    }
-    // The body lies between the points, so this ends.
-    do {
-      depth += m_step;
-    } while (is_inside(begin + depth * inward));
-    return Vector_3(begin + depth / 2 * inward);
-  }
-
-  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
-  /// O(log n) for each step.
-  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
-  {
-    distances.clear();
-    const double length = (to - from).norm();
-    const auto number_of_steps = std::size_t(std::ceil(length / m_step));
-    bool is_last_inside = is_inside(from);
-    for (std::size_t step = 1; step <= number_of_steps; ++step) {
-      const bool is_next_inside = is_inside(from + double(step) / double(number_of_steps) * (to - from));
-      if (is_next_inside != is_last_inside) {
-        distances.push_back((double(step) - 0.5) / double(number_of_steps) * length);
-      }
-      is_last_inside = is_next_inside;
-    }
-  }
-
-private:
-  const Point_complex& m_complex;
-  Winding_number m_winding_number;
-  Point_tree m_tree;
-  double m_step; ///< half the spacing of the points
-};
-
 } // namespace CSCD::internal
 
-#endif // CSCD_POINTS_POINT_SOLID_QUERIES_H
+#endif // CSCD_POINTS_WINDING_NUMBER_H
