@@ -108,6 +108,17 @@ TEST(Heat_method, gives_on_the_same_triangles_what_cgal_gives)
   }
 }
 
+TEST(estimate_geodesic_distances, reaches_the_far_end_of_a_tube_of_a_thousand_edges)
+{
+  Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(1000, 1, 6, CSCD::test::Tube_end::open));
+  Distance_map distances = add_map(mesh);
+  CSCD::estimate_geodesic_distances(mesh, Vertex(0), distances);
+  for (const Vertex vertex : mesh.vertices()) {
+    const double along = std::fabs(mesh.point(vertex).x() - mesh.point(Vertex(0)).x());
+    ASSERT_NEAR(distances[vertex], along, along < 200 ? 5 : 0.02 * along);
+  }
+}
+
 TEST(estimate_geodesic_distances, takes_any_mesh_and_any_map)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;

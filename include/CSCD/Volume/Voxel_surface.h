@@ -472,11 +472,12 @@ private:
     for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
       const Index* const body = m_lower_slice.data() + (y + 1) * m_row + 1;
       for (std::size_t x = 0; x <= m_grid.size[0]; ++x) {
+        const Index* const here = body + x;
         if (y < m_grid.size[1]) {
-          emit_faces(0, {x, y, m_number_of_slices - 1}, body[x - 1], body[x]);
+          emit_faces(0, {x, y, m_number_of_slices - 1}, *(here - 1), *here);
         }
         if (x < m_grid.size[0]) {
-          emit_faces(1, {x, y, m_number_of_slices - 1}, body[x - m_row], body[x]);
+          emit_faces(1, {x, y, m_number_of_slices - 1}, *(here - m_row), *here);
         }
       }
     }
