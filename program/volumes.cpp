@@ -69,6 +69,11 @@ Skeletonize_options options_of_body(const Skeletonize_options& options, std::uin
   return result;
 }
 
+bool has_node_volume(const Skeletonize_options& options)
+{
+  return std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
+}
+
 /// Whether `options` name files, and all are there.
 bool is_done(Skeletonize_options options)
 {
@@ -97,7 +102,7 @@ bool is_node_volume(const std::string& output)
 void check_volume_options(const Skeletonize_options& options)
 {
   const Volume_options& volume = options.volume;
-  if (!is_volume(options) && std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume)) {
+  if (!is_volume(options) && has_node_volume(options)) {
     throw Usage_error("--output .nrrd: does not apply to meshes, points or graphs; use --correspondence");
   }
   if (int(volume.label.has_value()) + int(volume.threshold.has_value()) + int(volume.has_all_labels) > 1) {
@@ -106,18 +111,18 @@ void check_volume_options(const Skeletonize_options& options)
   if (volume.has_all_labels && number_of_results_on_standard_output(options) > 0) {
     throw Usage_error("--all-labels: has several results of a kind, which cannot go to standard output; name files");
   }
-  const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
-  if (volume.resumes && (!volume.has_all_labels || has_node_volume)) {
-    throw Usage_error(std::string("--resume: ") + (has_node_volume
-                                                       ? "a volume of nodes needs all labels; leave it out"
-                                                       : "continues --all-labels; add that, or leave it out"));
+  if (volume.resumes && !volume.has_all_labels) {
+    throw Usage_error("--resume: continues --all-labels; add that, or leave it out");
+  }
+  if (volume.resumes && has_node_volume(options)) {
+    throw Usage_error("--resume: a volume of nodes needs all labels; leave it out");
   }
 }
 
 void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
                         const Skeletonize_body& skeletonize_body)
 {
-  const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
+  const bool keeps_surfaces = has_node_volume(options);
   std::vector<CSCD::Voxel_surface> surfaces; // for a volume of nodes
   std::vector<std::vector<std::uint32_t>> node_of_vertex;
   bool is_empty = true;
@@ -129,14 +134,13 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
     }
     surface.turn_cavities();
     surface.pairing = {};
-    Input body =
-        make_input(has_node_volume ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
+    Input body = make_input(keeps_surfaces ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
     body.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
     const Skeletonization_result result = skeletonize_body(files, body, options_of_this);
     if (options.volume.has_all_labels) {
       files.publish();
     }
-    if (has_node_volume) {
+    if (keeps_surfaces) {
       node_of_vertex.push_back(assigned_surface(body, result.skeleton).node_of_vertex);
       for (std::uint32_t& number : node_of_vertex.back()) {
         ++number; // 0 where there is none

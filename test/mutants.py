@@ -56,7 +56,7 @@ def complaints(mutants):
 
 
 def with_faults(text, mutants):
-    """The text of a file with all its faults, of which `CSCD_FAULT` chooses one."""
+    """The text of a file with all its faults. `CSCD_FAULT` chooses one."""
     lines = {}
     for number, mutant in mutants:
         before, expression, after = mutant["parts"]

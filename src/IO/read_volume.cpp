@@ -803,6 +803,17 @@ Volume read_volume(const std::string& filename, const Voxel_selection& selection
 
 namespace {
 
+/// The result of `work`, with the name of the file before the message of an `Input_error`.
+template <class Work>
+decltype(auto) naming(const std::string& filename, const Work& work)
+{
+  try {
+    return work();
+  } catch (const Input_error& error) {
+    throw Input_error(filename + ": " + error.what());
+  }
+}
+
 /// The labels that occur in each slice and not in a later one, in ascending order.
 std::vector<std::vector<std::uint32_t>> labels_of_last_slices(const std::string& filename,
                                                               const Voxel_selection& selection)
@@ -814,10 +825,12 @@ std::vector<std::vector<std::uint32_t>> labels_of_last_slices(const std::string&
     reader.read_slice(slice);
     slice.erase(std::unique(slice.begin(), slice.end()), slice.end());
     for (const std::uint32_t label : slice) {
-      last_slice[label] = z;
+      if (label != 0) {
+        last_slice[label] = z;
+      }
     }
+    naming(filename, [&] { Voxel_surface_builder::check_number_of_labels(last_slice.size()); });
   }
-  last_slice.erase(0); // the background
   std::vector<std::vector<std::uint32_t>> result(reader.grid().size[2]);
   for (const auto& [label, z] : last_slice) {
     result[z].push_back(label);
@@ -826,17 +839,6 @@ std::vector<std::vector<std::uint32_t>> labels_of_last_slices(const std::string&
     std::sort(labels.begin(), labels.end());
   }
   return result;
-}
-
-/// The result of `work`, with the name of the file before the message of an `Input_error`.
-template <class Work>
-decltype(auto) naming(const std::string& filename, const Work& work)
-{
-  try {
-    return work();
-  } catch (const Input_error& error) {
-    throw Input_error(filename + ": " + error.what());
-  }
 }
 
 } // namespace

@@ -149,6 +149,28 @@ TEST(read_volume, gives_the_same_surfaces_slice_by_slice)
   }
 }
 
+TEST(read_volume, refuses_gray_values_as_labels_before_a_surface_is_made)
+{
+  const test_support::Temporary_folder folder;
+  Volume volume;
+  volume.grid.size = {41, 41, 41};
+  volume.grid.origin = Vector_3(0, 0, 0);
+  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
+    volume.labels.push_back(std::uint32_t(i)); // more than 65,536
+  }
+  std::ostringstream out;
+  CSCD::write_nrrd(out, volume);
+  const std::string file = folder.write("v.nrrd", out.str());
+  std::size_t number_of_surfaces = 0;
+  try {
+    CSCD::for_each_voxel_surface(file, each_label, {}, [&](CSCD::Voxel_surface&&) { ++number_of_surfaces; });
+    FAIL() << "not refused";
+  } catch (const CSCD::Input_error& error) {
+    EXPECT_NE(std::string(error.what()).find(file), std::string::npos);
+  }
+  EXPECT_EQ(number_of_surfaces, 0U);
+}
+
 TEST(read_volume, refuses_headers_that_lie)
 {
   const test_support::Temporary_folder folder;

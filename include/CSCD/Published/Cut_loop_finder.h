@@ -56,7 +56,7 @@ bool descend(const Measures& measures, Index vertex, Index source, std::vector<I
 
 /// The gradients, of length 1, of the two fronts that meet at the cut point `vertex`: the cycle of the samples around
 /// it is split into two arcs with the greatest angle between the sums of their gradients that converge. Nothing if
-/// there are no such arcs. O(d^2) for degree d up to a constant.
+/// no arcs converge. O(d^2) for degree d up to 32, O(d) beyond.
 template <class Measures>
 std::optional<std::array<std::complex<double>, 2>> front_gradients(const Measures& measures, Index vertex)
 {
@@ -93,7 +93,8 @@ std::optional<std::array<std::complex<double>, 2>> front_gradients(const Measure
 }
 
 /// The edges from `vertex` to the two nearest vertices in the ring around it that are nearer to the source than their
-/// neighbors in the ring; nothing where there are no two. Of equal ones that follow each other the first counts.
+/// neighbors in the ring; nothing where fewer than two are. Where equal distances follow each
+/// other, the first counts.
 template <class Measures>
 std::optional<std::array<Index, 2>> ring_minima(const Measures& measures, Index vertex)
 {
@@ -176,8 +177,8 @@ public:
   }
 
   /// Finds the loop of a source at `source_point` with the cut points where `is_cut(vertex)` holds. The source is in a
-  /// face at the vertex `source`, the end of the paths. O(n + k log n) for n vertices, of which k come before the
-  /// target.
+  /// face at the vertex `source`, the end of the paths. O(n + k log n) for n vertices if k vertices come before
+  /// the target.
   template <class Predicate>
   void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
             const Predicate& is_cut, Cut_loop& loop)

@@ -249,6 +249,15 @@ public:
   /// A volume has at most so many labels that are bodies of their own.
   static constexpr std::size_t max_number_of_labels = 65536;
 
+  /// Refuses volumes that hold other values than labels. \throw Input_error if there are more labels
+  static void check_number_of_labels(std::size_t number)
+  {
+    if (number > max_number_of_labels) {
+      throw Input_error("the volume has more than " + std::to_string(max_number_of_labels) +
+                        " labels: it seems to hold no labels; choose one of them, or a threshold");
+    }
+  }
+
   /// \throw Input_error if the grid has no voxels, or the axes do not span the space
   Voxel_surface_builder(const Volume_grid& grid, const Voxel_surface_settings& settings)
       : m_grid(grid), m_settings(settings), m_sheets(settings.connectivity), m_row(grid.size[0] + 2)
@@ -337,10 +346,7 @@ private:
   {
     const auto [entry, is_new] = m_body_of_label.emplace(label, Index(m_shapes.size() + 1));
     if (is_new) {
-      if (m_shapes.size() == max_number_of_labels) {
-        throw Input_error("the volume has more than " + std::to_string(max_number_of_labels) +
-                          " labels: it seems to hold no labels; choose one of them, or a threshold");
-      }
+      check_number_of_labels(m_body_of_label.size());
       m_shapes.emplace_back();
       m_shapes.back().label = label;
     }
