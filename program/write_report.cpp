@@ -62,8 +62,7 @@ Json by_outcome(const std::array<const char*, size>& names, const Numbers& numbe
 Json rejections(const CSCD::Skeletonization_report& r)
 {
   constexpr std::array<const char*, CSCD::number_of_cut_loop_outcomes> names{
-      "found",     "no_cut_point", "distance_below_chord", "one_direction", "not_connected", "meets_at_once",
-      "long_stem", "narrow"};
+      "found", "no_cut_point", "distance_below_chord", "one_direction", "not_connected", "meets_at_once", "narrow"};
   Json result = by_outcome(names, r.number_of_rejections);
   result.erase(names.front()); // not a rejection
   return result;

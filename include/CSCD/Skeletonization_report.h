@@ -41,7 +41,6 @@ enum class Cut_loop_outcome
   one_direction,        ///< all fronts arrive from one side
   not_connected,        ///< no path leads down to the source
   meets_at_once,        ///< the paths to the source join at the target or next to it: nothing is enclosed
-  long_stem,            ///< the paths to the source join far from it: the curve is not that of this source
   narrow                ///< the paths to the source stay close together: they go around a bump
 };
 

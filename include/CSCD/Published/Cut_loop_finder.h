@@ -206,10 +206,6 @@ private:
   /// The minimum distance in space between the two paths half way down, relative to that of the target along the
   /// surface: it is 0.64 on a round tube, about 0 around a bump. This decides about more targets than any other test.
   static constexpr double min_path_separation = 0.3;
-  /// The maximum distance of the base from the source, relative to that of the target ...
-  static constexpr double max_stem = 0.1;
-  /// ... or to the mean edge length: paths along edges join a few edges before the source, wherever they come from.
-  static constexpr double max_edges_of_stem = 3;
 
   /// Makes a heap of the vertices that are far enough from the source, the nearest by `rule` first.
   void collect_candidates(const Measures& measures, Target_rule rule)
@@ -243,12 +239,9 @@ private:
         return Cut_loop_outcome::not_connected;
       }
     }
-    const Index base = cut_where_paths_join();
+    cut_where_paths_join();
     if (!is_loop(target)) {
       return Cut_loop_outcome::meets_at_once;
-    }
-    if (measures.distance(base) > std::max(max_stem * loop.distance, max_edges_of_stem * m_frames.mean_edge_length())) {
-      return Cut_loop_outcome::long_stem;
     }
     const double separation = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm();
     if (separation < min_path_separation * loop.distance) {
@@ -259,9 +252,9 @@ private:
   }
 
   /// Ends both paths at the first vertex of the second path that is on the first path too. Since each path passes a
-  /// vertex once, the remaining loop is simple: it has no steps back and forth, and no vertex comes twice.
-  /// \return that vertex, the source or one near it
-  Index cut_where_paths_join()
+  /// vertex once, the remaining loop is simple: it has no steps back and forth, and no vertex comes twice. That vertex
+  /// is the source, or near it.
+  void cut_where_paths_join()
   {
     m_on_first.clear();
     for (const Index h : m_path[0]) {
@@ -275,7 +268,6 @@ private:
     const auto ends_at_base = [&](Index h) { return m_triangulation.target(h) == base; };
     const auto first_end = std::find_if(m_path[0].begin(), m_path[0].end(), ends_at_base);
     m_path[0].erase(first_end + 1, m_path[0].end());
-    return base;
   }
 
   /// Whether the paths have more than an edge each, and do not return to the target.
