@@ -3,6 +3,7 @@
 
 #include "support/Shape.h"
 #include "support/Similarity.h"
+#include "support/limb_shapes.h"
 #include "support/swept_shapes.h"
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
@@ -233,6 +234,16 @@ TEST(Graph_skeleton, a_tube_of_squares_is_a_curve_on_its_axis)
   for (const Point& p : node_points(skeleton)) {
     EXPECT_LT(std::hypot(p.y(), p.z()), 0.5) << "at " << p;
   }
+}
+
+TEST(Graph_skeleton, a_cone_is_followed_to_its_tip)
+{
+  // The two sides of a front differ by its cross-sections.
+  const Shape cone = CSCD::test::limb_shape("cone", {{{0, 0, 0}, {10, 0, 0}, 2, 0.2}}, 0.3);
+  Skeleton skeleton;
+  const Counts counts = skeletonize_graph(make_place_graph(cone.points, sides(cone)), skeleton);
+  EXPECT_GE(counts.nodes, 24U);
+  EXPECT_EQ(counts.tips, 2U);
 }
 
 TEST(Graph_skeleton, the_edges_of_a_torus_and_a_knot_give_one_cycle)

@@ -87,6 +87,22 @@ std::string name_of(const testing::TestParamInfo<Real_mesh>& info)
 INSTANTIATE_TEST_SUITE_P(Cgal, Closed_real_mesh, testing::ValuesIn(CSCD::test::closed_real_meshes()), name_of);
 INSTANTIATE_TEST_SUITE_P(Cgal, Open_real_mesh, testing::ValuesIn(CSCD::test::open_real_meshes()), name_of);
 
+TEST(Real_meshes, with_many_holes_are_bodies)
+{
+  const Real_mesh pierced{"elephant-with-holes", 1, 3, 106};
+  if (!pierced.exists()) {
+    CSCD_TEST_SKIP_OR_FAIL(pierced.path() << " is missing: it comes with the Debian package libcgal-demo");
+  }
+  Mesh mesh;
+  std::ifstream file(pierced.path());
+  ASSERT_TRUE(CGAL::IO::read_OFF(file, mesh));
+  Skeleton skeleton;
+  const auto report = CSCD::extract_curve_skeleton(mesh, skeleton);
+  EXPECT_EQ(report.number_of_sheets, 0u);
+  EXPECT_EQ(report.number_of_bridged_borders, 106u);
+  EXPECT_EQ(report.betti_number, 3u);
+}
+
 TEST(Real_meshes, with_a_pinched_vertex_are_refused_by_name)
 {
   const Real_mesh pinched{"polygon_mesh", 1, 0, 0};

@@ -466,13 +466,14 @@ TEST(Read_triangle_mesh, refuses_damaged_files)
   }
   const auto changed = [&files](const std::string& name, std::size_t position, const std::string& bytes) {
     const auto& [text, format] = files.at(name);
-    refusal(std::string(text).replace(position, bytes.size(), bytes), format);
+    return refusal(std::string(text).replace(position, bytes.size(), bytes), format);
   };
   const std::size_t body = files.at("binary ply").first.find("end_header\n") + 11;
   changed("binary ply", body + 16, std::string("\0\0\xc0\x7f", 4)); // no number
-  changed("binary ply", body + 8 * 12, "\xff");                     // corners of a face
+  EXPECT_NE(std::string::npos, changed("binary ply", body + 8 * 12, "\xff").find("is longer than the file")); // a face
   changed("binary ply", files.at("binary ply").first.size() - 1, "\xff");
-  changed("binary stl", 80, std::string("\0\x28\x6b\xee", 4));    // four billion triangles
+  EXPECT_NE(std::string::npos, changed("binary stl", 80, std::string("\0\x28\x6b\xee", 4)) // four billion triangles
+                                   .find("triangles are announced, there is room for 12"));
   changed("binary stl", 84 + 12, std::string("\0\0\x80\x7f", 4)); // infinity
   changed("glb", 4, "\1");
   refusal(std::string(84, '\0'), ".stl");

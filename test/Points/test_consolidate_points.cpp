@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -90,6 +91,16 @@ TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_whi
     const Vector_3 kept = cloud.normalization.to_input(cloud.points[cloud.input_point[i]]);
     ASSERT_GE(greatest, (kept - points[i]).norm()) << "point " << i;
   }
+}
+
+TEST(consolidate_points, keeps_some_twenty_thousand_points_of_a_long_chain_at_most)
+{
+  // Its rings are so thin, compared with the chain, that they stay bent between points.
+  std::vector<Vector_3> points;
+  for (const Triple& p : CSCD::test::sampled(CSCD::test::chain_of_rings(100, 12), 200000, 1)) {
+    points.emplace_back(p[0], p[1], p[2]);
+  }
+  EXPECT_GT(40000u, consolidated(std::move(points)).cloud.points.size());
 }
 
 TEST(consolidate_points, averages_noise_away)

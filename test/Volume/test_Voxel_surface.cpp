@@ -11,10 +11,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -106,6 +108,16 @@ double volume_inside(const Voxel_surface& surface)
                          [](double sum, const auto& measure) { return sum + measure.volume; });
 }
 
+double area_of(const Voxel_surface& surface)
+{
+  double result = 0;
+  for (const auto& [a, b, c] : surface.triangles.faces) {
+    const std::vector<CSCD::Vector_3>& points = surface.triangles.points;
+    result += (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
+  }
+  return result;
+}
+
 TEST(Voxel_surface, has_the_topology_of_random_voxels)
 {
   std::mt19937 random(1);
@@ -167,6 +179,32 @@ TEST(Voxel_surface, is_in_space_and_oriented_outwards)
     EXPECT_NEAR(lowest->z(), -5 - 3 * 0.5, 3 * 0.45); // half a voxel below the first center, less what smoothing may do
     EXPECT_NEAR((lowest->z() + highest->z()) / 2, -5 + 3 * 9.5, 3 * 0.05);
   }
+}
+
+TEST(Voxel_surface, has_no_terraces)
+{
+  constexpr int radius = 20;
+  const auto is_in_ball = [](int x, int y, int z) {
+    const int dx = x - radius;
+    const int dy = y - radius;
+    const int dz = z - radius;
+    return dx * dx + dy * dy + dz * dz < radius * radius;
+  };
+  const Volume volume = make_volume({2 * radius + 1, 2 * radius + 1, 2 * radius + 1}, is_in_ball);
+  // Faces of voxels have 1.5 times the area of the ball.
+  EXPECT_NEAR(area_of(make_voxel_surfaces(volume).front()), 4 * M_PI * radius * radius,
+              0.05 * 4 * M_PI * radius * radius);
+}
+
+TEST(Voxel_surface, keeps_a_voxel_from_vanishing)
+{
+  const Voxel_surface surface = make_voxel_surfaces(make_volume({1, 1, 1}, [](int, int, int) { return 1; })).front();
+  EXPECT_EQ(surface.triangles.points.size(), 8U);
+  // Each corner stays in its octant, .05 away from the others.
+  for (const CSCD::Vector_3& point : surface.triangles.points) {
+    EXPECT_GE(point.cwiseAbs().minCoeff(), 0.05 - 1e-9);
+  }
+  EXPECT_GE(volume_inside(surface), 0.1 * 0.1 * 0.1 - 1e-9);
 }
 
 TEST(Voxel_surface, refuses_what_is_no_volume)
