@@ -253,7 +253,7 @@ inline bool is_vertex(const Edge_crossing& point)
 inline bool push_off(const Triangulated_surface& surface, const Vertex_loop& loop,
                      std::vector<Edge_crossing>& crossings)
 {
-  // Distance from the loop, relative to the length of the crossed edge; straightening moves it anyway.
+  // Distance from the loop, relative to the length of the crossed edge.
   constexpr double offset = 0.15;
   crossings.clear();
   const std::size_t size = loop.size();
