@@ -8,6 +8,7 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>

@@ -13,6 +13,7 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>

@@ -39,8 +39,7 @@ public:
   explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio(),
                                   std::function<int(Index)> side_of_sheet = nullptr)
       : m_levels(levels), m_min_area_ratio(min_area_ratio), m_side_of_sheet(std::move(side_of_sheet)),
-        m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface),
-        m_straightening(m_levels.finest().surface)
+        m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface)
   {
   }
 
@@ -85,8 +84,6 @@ private:
   static constexpr double max_shift_on_sheet = 0.25;
   /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
   static constexpr int number_of_axis_steps = 2;
-  /// Sweeps of straightening where no section is accepted: few, so that the loop stays where it is.
-  static constexpr int number_of_straightening_passes = 15;
 
   struct Workspace
   {
@@ -296,7 +293,7 @@ private:
     if (!internal::push_off(finest, m_loop, separator.crossings)) {
       return false;
     }
-    m_straightening(separator.crossings, number_of_straightening_passes);
+    internal::straighten(finest, separator.crossings);
     internal::crossing_points(finest, separator.crossings, m_points);
     internal::set_measures(separator, m_points);
     return separator.crossings.size() >= min_simple_loop_size;
@@ -308,7 +305,6 @@ private:
   std::vector<std::unique_ptr<Workspace>> m_workspaces;
   internal::Loop_projection m_projection;
   internal::Plane_section m_section;
-  internal::Straightening m_straightening;
   Vertex_loop m_loop;
   Vertex_loop m_fine_loop;
   std::vector<Vector_3> m_points;

@@ -9,7 +9,6 @@
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_levels.h>
@@ -243,8 +242,7 @@ class Handle_cutting
 public:
   /// `separators` are those of `packing`; the new ones are appended to them.
   Handle_cutting(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing)
-      : m_solid(solid), m_surface(solid.levels().finest().surface), m_separators(separators), m_packing(packing),
-        m_straightening(m_surface)
+      : m_solid(solid), m_surface(solid.levels().finest().surface), m_separators(separators), m_packing(packing)
   {
   }
 
@@ -266,8 +264,6 @@ public:
   }
 
 private:
-  /// Sweeps of straightening: the loops run along edges.
-  static constexpr int number_of_straightening_passes = 15;
   /// A loop spans the body if at least this share of the samples of its disc is inside: the middles between points of
   /// the loop and its center ...
   static constexpr double min_inside_part = 0.5;
@@ -300,6 +296,10 @@ private:
     });
     std::vector<Separator> trial;
     Separator_arrangement arrangement = m_packing.arrangement();
+    m_room.assign(m_surface.number_of_halfedges(), 1.);
+    for (const Index packed : m_packing.packed()) {
+      take_room(m_separators[packed].crossings);
+    }
     for (const Candidate& candidate : candidates) {
       if (candidate.is_inside || is_any_allowed) {
         insert(candidate.loop, trial, arrangement);
@@ -357,27 +357,33 @@ private:
     return {loop, measures.length, double(number_inside) >= min_inside_part * double(number)};
   }
 
-  /// Appends `loop`, pushed off the vertices and straightened, to `trial` if it is disjoint from the separators in
-  /// `arrangement`.
+  /// Appends `loop`, pushed off the vertices, to `trial` if it is disjoint from the separators in `arrangement`: it
+  /// crosses edges half way to the nearest one of these.
   void insert(const Vertex_loop& loop, std::vector<Separator>& trial, Separator_arrangement& arrangement)
   {
     Separator separator;
     if (!push_off(m_surface, loop, separator.crossings)) {
       return;
     }
-    const std::vector<Edge_crossing> pushed = separator.crossings;
-    m_straightening(separator.crossings, number_of_straightening_passes);
-    separator.source = loop.front();
-    // Straightened, it may meet another separator: as close to the edges as they are, it does not.
-    for (const std::vector<Edge_crossing>& crossings : {separator.crossings, pushed}) {
-      separator.crossings = crossings;
-      if (crossings.size() >= 3 && arrangement.insert(Index(m_separators.size() + trial.size()), crossings)) {
-        std::vector<Vector_3> points;
-        crossing_points(m_surface, crossings, points);
-        set_measures(separator, points);
-        trial.push_back(separator);
-        return;
-      }
+    for (Edge_crossing& crossing : separator.crossings) {
+      crossing.position = std::min(crossing.position, m_room[crossing.halfedge] / 2);
+    }
+    if (arrangement.insert(Index(m_separators.size() + trial.size()), separator.crossings)) {
+      take_room(separator.crossings);
+      std::vector<Vector_3> points;
+      crossing_points(m_surface, separator.crossings, points);
+      set_measures(separator, points);
+      separator.source = loop.front();
+      trial.push_back(separator);
+    }
+  }
+
+  void take_room(const std::vector<Edge_crossing>& crossings)
+  {
+    for (const auto& [halfedge, position] : crossings) {
+      const Index twin = m_surface.twin(halfedge);
+      m_room[halfedge] = std::min(m_room[halfedge], position);
+      m_room[twin] = std::min(m_room[twin], 1 - position);
     }
   }
 
@@ -385,7 +391,7 @@ private:
   const Triangulated_surface& m_surface;
   std::vector<Separator>& m_separators;
   Separator_packing& m_packing;
-  Straightening m_straightening;
+  std::vector<double> m_room; ///< of each halfedge, the position of the first separator that crosses it
 };
 
 /// Cuts the handles that `packing` leaves uncut; see `Handle_cutting`. \return their number

@@ -7,6 +7,7 @@
 #define CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
 
 #include <CSCD/Published/Intrinsic_triangulation.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

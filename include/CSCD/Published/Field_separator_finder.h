@@ -15,6 +15,7 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>

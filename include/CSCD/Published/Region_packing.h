@@ -9,6 +9,7 @@
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>

@@ -11,6 +11,7 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Heat_method.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Skeletonization_report.h>

@@ -7,6 +7,7 @@
 #define CSCD_PUBLISHED_VARIATIONAL_SHORTENING_H
 
 #include <CSCD/Points/Point_complex.h>
+#include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>
 

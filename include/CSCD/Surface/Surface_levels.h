@@ -26,9 +26,8 @@
 namespace CSCD::internal {
 
 /// Coarsens a surface by half-edge collapses into a maximal independent set of vertices, which leaves about 2/7 of
-/// them. The coarse vertices are a subset of the fine ones, the coarse surface is an oriented manifold of the same
-/// topology, closed or with the same borders, and the result depends on the numbering of the fine surface alone.
-/// Linear.
+/// them. The coarse vertices are a subset of the fine ones, the coarse surface is a closed oriented manifold of the
+/// same topology, and the result depends on the numbering of the fine surface alone. Linear.
 class Coarsening
 {
 public:
@@ -37,18 +36,12 @@ public:
   {
     freeze_wide_stars();
     freeze_bridges();
-    collapse(number_of_threads);
-  }
-
-  /// Coarsens a surface with borders, by one thread.
-  /// \param is_fixed of each vertex, whether it stays and so do its faces; vertices on borders have to stay
-  Coarsening(const Triangulated_surface& fine, const std::vector<char>& is_fixed) : m_fine(fine)
-  {
-    freeze_wide_stars();
-    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
-      m_status[vertex] = is_fixed[vertex] != 0 ? Status::frozen : m_status[vertex];
-    }
-    collapse(1);
+    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
+      return m_status[vertex] != Status::open || keep_if_free(vertex, block);
+    });
+    copy_rings(number_of_threads);
+    collapse_others(number_of_threads);
+    number_coarse_vertices();
   }
 
   /// The coarse surface as points and faces.
@@ -71,9 +64,7 @@ public:
 
   /// For each coarse vertex, its fine vertex.
   const std::vector<Index>& fine_vertex() const { return m_fine_vertex; }
-  /// For each fine vertex, the coarse vertex that it is or was collapsed into.
-  const std::vector<Index>& coarse_vertex() const { return m_coarse_vertex; }
-  /// Hands over both.
+  /// Hands over these and, for each fine vertex, the coarse vertex that it is or was collapsed into.
   void move_to(std::vector<Index>& fine, std::vector<Index>& coarse) &&
   {
     fine = std::move(m_fine_vertex);
@@ -134,17 +125,6 @@ private:
         }
       }
     }
-  }
-
-  /// Does it all, for the vertices that are not frozen.
-  void collapse(unsigned number_of_threads)
-  {
-    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
-      return m_status[vertex] != Status::open || keep_if_free(vertex, block);
-    });
-    copy_rings(number_of_threads);
-    collapse_others(number_of_threads);
-    number_coarse_vertices();
   }
 
   /// The ring of a kept vertex has room to grow; no other ring grows.
@@ -450,7 +430,7 @@ private:
 class Surface_levels
 {
 public:
-  /// Coarsens `finest`, which need not be measured yet, until a level has at most `coarsest_size` vertices. Linear.
+  /// Coarsens `finest` until a level has at most `coarsest_size` vertices. Linear.
   /// \param number_of_threads 0 for as many as TBB allows; the levels are the same for any number
   /// \param needs_finest whether coarser levels lose limbs, so that none is a substitute for the finest one
   explicit Surface_levels(Triangulated_surface&& finest, unsigned number_of_threads = 1, bool needs_finest = false)
@@ -459,7 +439,6 @@ public:
     m_levels.emplace_back(std::move(finest));
     while (m_levels.back().surface.number_of_vertices() > coarsest_size && add_level()) {
     }
-    m_levels.back().surface.measure();
   }
 
   /// The number of levels.
@@ -497,11 +476,7 @@ private:
   bool add_level()
   {
     Surface_level& fine = m_levels.back();
-    // Coarsening needs no areas and no normals.
-    std::optional<internal::Coarsening> coarsening;
-    internal::call_both(
-        m_number_of_threads, [&] { coarsening.emplace(fine.surface, m_number_of_threads); },
-        [&] { fine.surface.measure(); });
+    std::optional<internal::Coarsening> coarsening(std::in_place, fine.surface, m_number_of_threads);
     if (double(coarsening->fine_vertex().size()) > min_reduction * fine.surface.number_of_vertices()) {
       return false;
     }

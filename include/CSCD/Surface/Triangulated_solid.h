@@ -38,150 +38,7 @@
 
 namespace CSCD {
 
-struct Surface_level;
-class Surface_levels;
-
 namespace internal {
-class Solid_queries;
-}
-
-/// A closed triangulated surface in levels of detail and the queries for the body that it bounds. The model of
-/// `SkeletonizationSurface` for everything that is made of triangles, and the only one for `Local_policies`.
-///
-/// Coordinates are normalized (unit area, centroid at the origin) and vertices are in a canonical order, so that
-/// results depend on the shape alone. All members are const and may be called by several threads at once.
-class Triangulated_solid
-{
-public:
-  /// Closes, fills, orients, refines, renumbers and normalizes `triangles`, and builds levels of detail; near linear.
-  /// \param triangles finite points, each with a face; the faces before `first_hole_filling_face` have an area
-  /// \param pairing that of the faces, without conflicts and pinched vertices
-  /// \param treatment which components are doubled first: a sheet becomes a thin body, of two sides and a rim along its
-  ///        wide borders, and its separators from border to border become closed curves around that
-  /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
-  /// \throw Input_error if the surface has no extent or no area
-  Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                     Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1);
-  Triangulated_solid(Triangulated_solid&&) = delete;
-  ~Triangulated_solid();
-
-  /// \name Surface
-  /// @{
-
-  /// The finest level.
-  const Triangulated_surface& triangulation() const;
-  /// All levels of detail.
-  const Surface_levels& levels() const { return *m_levels; }
-  /// The vertex of the triangles as they were given that `vertex` is; `no_index` for an inserted one.
-  Index input_vertex(Index vertex) const { return m_input_vertex[vertex]; }
-  /// For each vertex of the triangles as they were given that is on the surface of a cavity: the vertex of the body
-  /// that is nearest to it, and its number.
-  const std::vector<std::pair<Index, Index>>& cavity_vertices() const { return m_cavity_vertices; }
-  /// The connected component of `vertex`; O(log c) for c components.
-  Index component(Index vertex) const;
-  /// The number of connected components.
-  std::size_t number_of_components() const { return m_component_begin.size() - 1; }
-  /// The number of handles, over all components.
-  std::size_t genus() const;
-  /// From the coordinates of the triangles as they were given.
-  const Normalization& normalization() const { return m_normalization; }
-  /// @}
-
-  /// \name Sheets
-  /// @{
-
-  /// The number of components that are doubled sheets.
-  std::size_t number_of_sheets() const { return m_number_of_sheets; }
-  /// The number of borders of the input that are rims of sheets now.
-  std::size_t number_of_wide_borders() const { return m_number_of_wide_borders; }
-  /// The side of its sheet that `vertex` is on, 1 or 2; 0 on a component that is not a sheet.
-  int side_of_sheet(Index vertex) const { return m_side_of_sheet.empty() ? 0 : m_side_of_sheet[vertex]; }
-  /// @}
-
-  /// \name Body
-  /// The first query builds a search structure.
-  /// @{
-
-  /// The level whose surface queries refer to: the finest one of at most 60000 vertices. Finer faces differ from it by
-  /// less than the precision of the skeleton.
-  const Surface_level& query_level() const;
-  /// The surface of that level.
-  const Triangulated_surface& query_surface() const;
-  /// Whether the body contains `point`. Where the surface intersects itself, the inside of several sheets is inside.
-  bool is_inside(const Vector_3& point) const;
-  /// The point of the surface nearest to `point`.
-  Surface_point closest_point(const Vector_3& point) const;
-  /// The first point where the ray from `origin` along `direction` meets the surface, if any.
-  std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const;
-  /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
-  std::optional<Vector_3> middle_behind(const Vector_3& point) const;
-  /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
-  /// the body.
-  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
-  /// @}
-
-  /// \name Changes to the input
-  /// @{
-
-  /// The number of borders of the input, which faces without area now close.
-  std::size_t number_of_bridged_borders() const { return m_number_of_bridged_borders; }
-  /// The number of vertices that are not of the input.
-  std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
-  /// The number of input faces with (nearly) no area; they are kept.
-  std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
-  /// The number of components that bound cavities: they were taken out, so that bodies are solid.
-  std::size_t number_of_cavities() const { return m_number_of_cavities; }
-  /// The number of other components that were oriented inwards in the input.
-  std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
-  /// Writes these numbers and the numbers of the surface to `report`.
-  void describe(Skeletonization_report& report) const;
-  /// Adds warnings about the mesh to `report`, including its isolated vertices.
-  void warn(Skeletonization_report& report) const;
-  /// @}
-
-private:
-  const internal::Solid_queries& queries() const;
-  /// Of the face nearest to `place`, the vertex that is nearest.
-  Index nearest_vertex(const Vector_3& place) const;
-
-  std::unique_ptr<const Surface_levels> m_levels;
-  std::vector<Index> m_input_vertex;
-  std::vector<std::pair<Index, Index>> m_cavity_vertices;
-  std::vector<Index> m_component_begin;     ///< the first vertex of every component, and the number of vertices
-  std::vector<signed char> m_side_of_sheet; ///< of every vertex; empty without sheets
-  Normalization m_normalization;
-  std::size_t m_number_of_sheets = 0;
-  std::size_t m_number_of_wide_borders = 0;
-  std::size_t m_number_of_bridged_borders = 0;
-  std::size_t m_number_of_inserted_vertices = 0;
-  std::size_t m_number_of_degenerate_faces = 0;
-  std::size_t m_number_of_cavities = 0;
-  std::size_t m_number_of_reversed_components = 0;
-  mutable std::once_flag m_queries_built;
-  mutable std::unique_ptr<const internal::Solid_queries> m_queries;
-};
-
-} // namespace CSCD
-
-namespace CSCD::internal {
-
-/// A surface in normalized coordinates and canonical order, and the changes to the input for it.
-struct Compiled_surface
-{
-  Triangulated_surface surface; ///< not measured yet
-  Normalization normalization;
-  std::vector<Index> input_point;     ///< the point of the input that a vertex is, `no_index` for an inserted vertex
-  std::vector<Index> component_begin; ///< the first vertex of every component, and the number of vertices at the end
-  std::vector<signed char> side_of_sheet; ///< of every vertex, 1 or 2, or 0; empty without sheets
-  Filled_cavities cavities;               ///< places in normalized coordinates
-  bool has_sampled_limbs = false;         ///< so many that coarser levels would lose them
-  std::size_t number_of_sheets = 0;
-  std::size_t number_of_wide_borders = 0;
-  std::size_t number_of_bridged_borders = 0;
-  std::size_t number_of_inserted_vertices = 0;
-  std::size_t number_of_degenerate_faces = 0;
-  std::size_t number_of_reversed_components = 0;
-};
 
 /// Gives the vertices of `triangles` that have been inserted since `side` was filled the side of some neighbor; linear
 /// for each level of insertion.
@@ -203,171 +60,236 @@ inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed 
   }
 }
 
-/// Closes, orients, refines, renumbers and normalizes `triangles`, and compiles them; near linear.
-/// \param treatment which components are doubled as sheets instead of being closed
-/// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
-/// \pre the points are finite, each has a face, and `pairing`, that of the faces, has no conflict and no pinched vertex
-/// \throw Input_error if the surface has no extent or no area
-inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                                        Border_treatment treatment, unsigned number_of_threads)
+/// Replaces `values` by the ones at the places `order`.
+template <class Value>
+void reorder(std::vector<Value>& values, const std::vector<Index>& order)
 {
-  Compiled_surface result;
-  std::size_t number_of_input_points = triangles.points.size();
-  const std::size_t number_of_input_faces = triangles.faces.size();
-  const Normalization to_unit_box = normalize_extent(triangles.points);
-  Doubled_sheets sheets;
+  std::vector<Value> reordered(order.size());
+  std::transform(order.begin(), order.end(), reordered.begin(), [&values](Index place) { return values[place]; });
+  values = std::move(reordered);
+}
+
+} // namespace internal
+
+/// A closed triangulated surface in levels of detail and the queries for the body that it bounds. The model of
+/// `SkeletonizationSurface` for everything that is made of triangles, and the only one for `Local_policies`.
+///
+/// Coordinates are normalized (unit area, centroid at the origin) and vertices are in a canonical order, so that
+/// results depend on the shape alone. All members are const and may be called by several threads at once.
+class Triangulated_solid
+{
+public:
+  /// Closes, fills, orients, refines, renumbers and normalizes `triangles`, and builds levels of detail; near linear.
+  /// \param triangles finite points, each with a face; the faces before `first_hole_filling_face` have an area
+  /// \param pairing that of the faces, without conflicts and pinched vertices
+  /// \param treatment which components are doubled first: a sheet becomes a thin body, of two sides and a rim along its
+  ///        wide borders, and its separators from border to border become closed curves around that
+  /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
+  /// \throw Input_error if the surface has no extent or no area
+  Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                     Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1);
+  Triangulated_solid(Triangulated_solid&&) = delete;
+
+  /// \name Surface
+  /// @{
+
+  /// The finest level.
+  const Triangulated_surface& triangulation() const { return m_levels->finest().surface; }
+  /// All levels of detail.
+  const Surface_levels& levels() const { return *m_levels; }
+  /// The vertex of the triangles as they were given that `vertex` is; `no_index` for an inserted one.
+  Index input_vertex(Index vertex) const { return m_input_vertex[vertex]; }
+  /// For each vertex of the triangles as they were given that is on the surface of a cavity: the vertex of the body
+  /// that is nearest to it, and its number.
+  const std::vector<std::pair<Index, Index>>& cavity_vertices() const { return m_cavity_vertices; }
+  /// The connected component of `vertex`; O(log c) for c components.
+  Index component(Index vertex) const
+  {
+    const auto next = std::upper_bound(m_component_begin.begin(), m_component_begin.end(), vertex);
+    return Index(next - m_component_begin.begin()) - 1;
+  }
+  /// The number of connected components.
+  std::size_t number_of_components() const { return m_component_begin.size() - 1; }
+  /// The number of handles, over all components.
+  std::size_t genus() const
+  {
+    return genus_of_closed_surface(number_of_components(), triangulation().number_of_vertices(),
+                                   triangulation().number_of_faces());
+  }
+  /// From the coordinates of the triangles as they were given.
+  const Normalization& normalization() const { return m_normalization; }
+  /// @}
+
+  /// \name Sheets
+  /// @{
+
+  /// The number of components that are doubled sheets.
+  std::size_t number_of_sheets() const { return m_number_of_sheets; }
+  /// The side of its sheet that `vertex` is on, 1 or 2; 0 on a component that is not a sheet.
+  int side_of_sheet(Index vertex) const { return m_side_of_sheet.empty() ? 0 : m_side_of_sheet[vertex]; }
+  /// @}
+
+  /// \name Body
+  /// The first query builds a search structure.
+  /// @{
+
+  /// The level whose surface queries refer to: the finest one of at most 60000 vertices. Finer faces differ from it by
+  /// less than the precision of the skeleton.
+  const Surface_level& query_level() const
+  {
+    constexpr Index max_vertices = 60000;
+    return (*m_levels)[m_levels->finest_with_at_most(max_vertices)];
+  }
+  /// The surface of that level.
+  const Triangulated_surface& query_surface() const { return query_level().surface; }
+  /// Whether the body contains `point`. Where the surface intersects itself, the inside of several sheets is inside.
+  bool is_inside(const Vector_3& point) const { return queries().is_inside(point); }
+  /// The point of the surface nearest to `point`.
+  Surface_point closest_point(const Vector_3& point) const { return queries().closest_point(point); }
+  /// The first point where the ray from `origin` along `direction` meets the surface, if any.
+  std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  {
+    return queries().first_hit(origin, direction);
+  }
+  /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const { return queries().middle_behind(point); }
+  /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
+  /// the body.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    queries().crossings(from, to, distances);
+  }
+  /// @}
+
+  /// \name Changes to the input
+  /// @{
+
+  /// The number of vertices that are not of the input.
+  std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
+  /// Writes the numbers of all changes and the numbers of the surface to `report`.
+  void describe(Skeletonization_report& report) const;
+  /// Adds warnings about the mesh to `report`, including its isolated vertices.
+  void warn(Skeletonization_report& report) const;
+  /// @}
+
+private:
+  /// Doubles sheets and bridges borders.
+  internal::Doubled_sheets close(Indexed_triangles& triangles, Halfedge_pairing& pairing, Border_treatment treatment);
+  /// Gives the vertices of `triangles` their final order.
+  void order_vertices(Indexed_triangles& triangles, Halfedge_pairing&& pairing,
+                      const internal::Surface_components& components);
+
+  const internal::Solid_queries& queries() const
+  {
+    std::call_once(m_queries_built,
+                   [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
+    return *m_queries;
+  }
+  /// Of the face nearest to `place`, the vertex that is nearest.
+  Index nearest_vertex(const Vector_3& place) const;
+
+  std::unique_ptr<const Surface_levels> m_levels;
+  std::vector<Index> m_input_vertex;
+  std::vector<std::pair<Index, Index>> m_cavity_vertices;
+  std::vector<Index> m_component_begin;     ///< the first vertex of every component, and the number of vertices
+  std::vector<signed char> m_side_of_sheet; ///< of every vertex; empty without sheets
+  Normalization m_normalization;
+  std::size_t m_number_of_sheets = 0;
+  std::size_t m_number_of_wide_borders = 0;    ///< of the input, that are rims of sheets now
+  std::size_t m_number_of_bridged_borders = 0; ///< of the input, which faces without area close now
+  std::size_t m_number_of_inserted_vertices = 0;
+  std::size_t m_number_of_degenerate_faces = 0;    ///< of the input, with (nearly) no area; they are kept
+  std::size_t m_number_of_cavities = 0;            ///< components that were taken out, so that bodies are solid
+  std::size_t m_number_of_reversed_components = 0; ///< others that were oriented inwards in the input
+  mutable std::once_flag m_queries_built;
+  mutable std::unique_ptr<const internal::Solid_queries> m_queries;
+};
+
+inline internal::Doubled_sheets Triangulated_solid::close(Indexed_triangles& triangles, Halfedge_pairing& pairing,
+                                                          Border_treatment treatment)
+{
+  internal::Doubled_sheets sheets;
   if (treatment != Border_treatment::bridge && pairing.has_border()) {
-    sheets = double_sheets(triangles, pairing, treatment == Border_treatment::open);
+    sheets = internal::double_sheets(triangles, pairing, treatment == Border_treatment::open);
   }
   if (sheets.number_of_sheets > 0) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
-  const std::size_t number_of_copied_points = triangles.points.size() - number_of_input_points;
-  result.number_of_sheets = sheets.number_of_sheets;
-  result.number_of_wide_borders = sheets.number_of_wide_borders;
-  result.number_of_bridged_borders = bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
+  m_number_of_sheets = sheets.number_of_sheets;
+  m_number_of_wide_borders = sheets.number_of_wide_borders;
+  m_number_of_bridged_borders = internal::bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
-  Surface_components components(triangles);
-  result.number_of_degenerate_faces =
-      std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
-                                [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
-  result.cavities = fill_cavities(triangles, pairing, components, number_of_input_points, sheets.side);
-  number_of_input_points -= result.cavities.vertices.size();
-  if (result.cavities.number > 0 && !sheets.side.empty()) {
-    for (std::size_t i = 0; i < result.cavities.old_number.size(); ++i) {
-      sheets.side[i] = sheets.side[result.cavities.old_number[i]]; // which is not less than i
-    }
-    sheets.side.resize(result.cavities.old_number.size());
-  }
-  result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
-  split_two_face_components(triangles, pairing, components);
-  result.has_sampled_limbs = sample_limbs(triangles, pairing, components, sheets.side) > 0;
-  refine_large_faces(triangles, pairing, components);
-  result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points - number_of_copied_points;
-  if (sheets.number_of_sheets > 0) {
-    extend_sides(triangles, sheets.side);
-  }
-
-  Canonical_order order = canonical_order(triangles, pairing, components);
-  pairing = {}; // before memory is allocated for the pairing of the new numbers
-  renumber(triangles, order.vertices);
-  result.side_of_sheet.resize(sheets.side.size());
-  for (std::size_t i = 0; i < sheets.side.size(); ++i) {
-    result.side_of_sheet[i] = sheets.side[order.vertices[i]];
-  }
-  result.input_point = std::move(order.vertices);
-  for (Index& point : result.input_point) {
-    const bool is_renumbered = point < number_of_input_points && result.cavities.number > 0;
-    point = is_renumbered ? result.cavities.old_number[point] : point < number_of_input_points ? point : no_index;
-  }
-  result.component_begin = std::move(order.component_begin);
-  // Summed in canonical order, the area and the centroid are the same for any order of the input.
-  const Normalization to_unit_area = normalize_area(triangles);
-  result.normalization = to_unit_box.then(to_unit_area);
-  for (Vector_3& place : result.cavities.places) {
-    place = to_unit_area.from_input(place);
-  }
-  result.surface = Triangulated_surface(std::move(triangles), number_of_threads);
-  CGAL_postcondition(!result.surface.defect());
-  return result;
+  return sheets;
 }
 
-} // namespace CSCD::internal
-
-namespace CSCD {
+inline void Triangulated_solid::order_vertices(Indexed_triangles& triangles, Halfedge_pairing&& pairing,
+                                               const internal::Surface_components& components)
+{
+  internal::Canonical_order order = internal::canonical_order(triangles, pairing, components);
+  pairing = {}; // before memory is allocated for the pairing of the new numbers
+  renumber(triangles, order.vertices);
+  if (!m_side_of_sheet.empty()) {
+    internal::reorder(m_side_of_sheet, order.vertices);
+  }
+  m_input_vertex = std::move(order.vertices);
+  m_component_begin = std::move(order.component_begin);
+}
 
 inline Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                               Border_treatment treatment, unsigned number_of_threads)
 {
-  internal::Compiled_surface compiled =
-      internal::compile_surface(std::move(triangles), std::move(pairing), treatment, number_of_threads);
-  m_input_vertex = std::move(compiled.input_point);
-  m_component_begin = std::move(compiled.component_begin);
-  m_normalization = compiled.normalization;
-  m_side_of_sheet = std::move(compiled.side_of_sheet);
-  m_number_of_sheets = compiled.number_of_sheets;
-  m_number_of_wide_borders = compiled.number_of_wide_borders;
-  m_number_of_bridged_borders = compiled.number_of_bridged_borders;
-  m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
-  m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
-  m_number_of_reversed_components = compiled.number_of_reversed_components;
-  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface), number_of_threads,
-                                                    compiled.has_sampled_limbs);
-  m_number_of_cavities = compiled.cavities.number;
-  m_cavity_vertices.reserve(compiled.cavities.vertices.size());
-  for (std::size_t i = 0; i < compiled.cavities.vertices.size(); ++i) {
-    m_cavity_vertices.emplace_back(nearest_vertex(compiled.cavities.places[i]), compiled.cavities.vertices[i]);
+  std::size_t number_of_input_points = triangles.points.size();
+  const std::size_t number_of_input_faces = triangles.faces.size();
+  const Normalization to_unit_box = normalize_extent(triangles.points);
+  internal::Doubled_sheets sheets = close(triangles, pairing, treatment);
+  std::size_t number_of_given_points = sheets.side.empty() ? number_of_input_points : sheets.side.size();
+  internal::Surface_components components(triangles);
+  m_number_of_degenerate_faces =
+      std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
+                                [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
+  const internal::Filled_cavities cavities =
+      internal::fill_cavities(triangles, pairing, components, number_of_input_points, sheets.side);
+  m_number_of_cavities = cavities.number;
+  number_of_input_points -= cavities.vertices.size();
+  number_of_given_points -= cavities.vertices.size();
+  m_side_of_sheet = std::move(sheets.side);
+  if (m_number_of_cavities > 0 && !m_side_of_sheet.empty()) {
+    internal::reorder(m_side_of_sheet, cavities.old_number);
   }
-}
-
-inline Triangulated_solid::~Triangulated_solid() = default;
-
-inline const Triangulated_surface& Triangulated_solid::triangulation() const
-{
-  return m_levels->finest().surface;
-}
-
-inline Index Triangulated_solid::component(Index vertex) const
-{
-  return Index(std::upper_bound(m_component_begin.begin(), m_component_begin.end(), vertex) -
-               m_component_begin.begin()) -
-         1;
-}
-
-inline std::size_t Triangulated_solid::genus() const
-{
-  return genus_of_closed_surface(number_of_components(), triangulation().number_of_vertices(),
-                                 triangulation().number_of_faces());
-}
-
-inline const Surface_level& Triangulated_solid::query_level() const
-{
-  constexpr Index max_vertices = 60000;
-  return (*m_levels)[m_levels->finest_with_at_most(max_vertices)];
-}
-
-inline const Triangulated_surface& Triangulated_solid::query_surface() const
-{
-  return query_level().surface;
-}
-
-inline bool Triangulated_solid::is_inside(const Vector_3& point) const
-{
-  return queries().is_inside(point);
-}
-
-inline Surface_point Triangulated_solid::closest_point(const Vector_3& point) const
-{
-  return queries().closest_point(point);
-}
-
-inline std::optional<Surface_hit> Triangulated_solid::first_hit(const Vector_3& origin, const Vector_3& direction) const
-{
-  return queries().first_hit(origin, direction);
-}
-
-inline std::optional<Vector_3> Triangulated_solid::middle_behind(const Vector_3& point) const
-{
-  return queries().middle_behind(point);
-}
-
-inline void Triangulated_solid::crossings(const Vector_3& from, const Vector_3& to,
-                                          std::vector<double>& distances) const
-{
-  queries().crossings(from, to, distances);
+  m_number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
+  internal::split_two_face_components(triangles, pairing, components);
+  const bool has_sampled_limbs = internal::sample_limbs(triangles, pairing, components, m_side_of_sheet) > 0;
+  internal::refine_large_faces(triangles, pairing, components);
+  m_number_of_inserted_vertices = triangles.points.size() - number_of_given_points;
+  if (m_number_of_sheets > 0) {
+    internal::extend_sides(triangles, m_side_of_sheet);
+  }
+  order_vertices(triangles, std::move(pairing), components);
+  for (Index& point : m_input_vertex) {
+    point = point >= number_of_input_points ? no_index : m_number_of_cavities > 0 ? cavities.old_number[point] : point;
+  }
+  // Summed in canonical order, the area and the centroid are the same for any order of the input.
+  const Normalization to_unit_area = normalize_area(triangles);
+  m_normalization = to_unit_box.then(to_unit_area);
+  Triangulated_surface surface(std::move(triangles), number_of_threads);
+  CGAL_postcondition(!surface.defect());
+  m_levels = std::make_unique<const Surface_levels>(std::move(surface), number_of_threads, has_sampled_limbs);
+  for (std::size_t i = 0; i < cavities.vertices.size(); ++i) {
+    m_cavity_vertices.emplace_back(nearest_vertex(to_unit_area.from_input(cavities.places[i])), cavities.vertices[i]);
+  }
 }
 
 inline void Triangulated_solid::describe(Skeletonization_report& report) const
 {
   report.number_of_surface_components = number_of_components();
-  report.number_of_bridged_borders = number_of_bridged_borders();
-  report.number_of_sheets = number_of_sheets();
-  report.number_of_wide_borders = number_of_wide_borders();
-  report.number_of_cavities = number_of_cavities();
-  report.number_of_inserted_vertices = number_of_inserted_vertices();
-  report.number_of_degenerate_faces = number_of_degenerate_faces();
+  report.number_of_bridged_borders = m_number_of_bridged_borders;
+  report.number_of_sheets = m_number_of_sheets;
+  report.number_of_wide_borders = m_number_of_wide_borders;
+  report.number_of_cavities = m_number_of_cavities;
+  report.number_of_inserted_vertices = m_number_of_inserted_vertices;
+  report.number_of_degenerate_faces = m_number_of_degenerate_faces;
   report.number_of_levels = levels().size();
   report.genus = genus();
 }
@@ -376,36 +298,24 @@ inline void Triangulated_solid::warn(Skeletonization_report& report) const
 {
   report.add_warning(report.number_of_isolated_vertices, "vertex without a face: it belongs to no node",
                      "vertices without a face: they belong to no node");
-  report.add_warning(number_of_bridged_borders(), "border: bridged by faces without weight",
+  report.add_warning(m_number_of_bridged_borders, "border: bridged by faces without weight",
                      "borders: bridged by faces without weight");
-  report.add_warning(number_of_sheets(), "sheet: its separators lead from border to border",
+  report.add_warning(m_number_of_sheets, "sheet: its separators lead from border to border",
                      "sheets: their separators lead from border to border");
-  report.add_warning(number_of_degenerate_faces(), "face with (nearly) no area", "faces with (nearly) no area");
-  report.add_warning(number_of_cavities(), "cavity: filled; its vertices belong to the nodes of the body around",
+  report.add_warning(m_number_of_degenerate_faces, "face with (nearly) no area", "faces with (nearly) no area");
+  report.add_warning(m_number_of_cavities, "cavity: filled; its vertices belong to the nodes of the body around",
                      "cavities: filled; their vertices belong to the nodes of the bodies around");
-  report.add_warning(number_of_reversed_components(), "component that faced inwards: turned",
+  report.add_warning(m_number_of_reversed_components, "component that faced inwards: turned",
                      "components that faced inwards: turned");
 }
 
 inline Index Triangulated_solid::nearest_vertex(const Vector_3& place) const
 {
   const Surface_level& level = query_level();
-  const Index first = 3 * closest_point(place).face;
-  Index nearest = level.surface.origin(first);
-  for (const Index halfedge : {first + 1, first + 2}) {
-    const Index vertex = level.surface.origin(halfedge);
-    if ((level.surface.point(vertex) - place).squaredNorm() < (level.surface.point(nearest) - place).squaredNorm()) {
-      nearest = vertex;
-    }
-  }
-  return level.to_finest(nearest);
-}
-
-inline const internal::Solid_queries& Triangulated_solid::queries() const
-{
-  std::call_once(m_queries_built,
-                 [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
-  return *m_queries;
+  const auto sides = Triangulated_surface::face_halfedges(closest_point(place).face);
+  const auto distance = [&](Index h) { return (level.surface.point(level.surface.origin(h)) - place).squaredNorm(); };
+  return level.to_finest(level.surface.origin(*std::min_element(
+      sides.begin(), sides.end(), [&distance](Index a, Index b) { return distance(a) < distance(b); })));
 }
 
 } // namespace CSCD
@@ -424,7 +334,7 @@ public:
       : m_start(Clock::now()), m_checked(check()),
         m_solid(std::move(m_checked.triangles), std::move(m_checked.pairing), treatment, number_of_threads)
   {
-    if (m_solid.number_of_cavities() > 0) {
+    if (!m_solid.cavity_vertices().empty()) {
       sort_input_vertices();
     }
     m_seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
@@ -436,7 +346,7 @@ public:
   /// vertices of cavities that it is nearest to.
   CGAL::Iterator_range<const Index*> input_vertices(Index vertex) const
   {
-    if (m_solid.number_of_cavities() > 0) {
+    if (!m_solid.cavity_vertices().empty()) {
       return m_rows[vertex];
     }
     const Index point = m_solid.input_vertex(vertex);

@@ -111,36 +111,19 @@ public:
 
   /// Compiles `triangles` to a closed surface; linear. Where they are not a closed oriented manifold, `defect()` names
   /// the first violation and nothing else may be called.
-  explicit Triangulated_surface(Indexed_triangles&& triangles) : Triangulated_surface(std::move(triangles), 1)
-  {
-    measure();
-  }
-
-  /// The same by `number_of_threads` threads, 0 for as many as TBB allows; areas and normals wait for `measure()`.
-  Triangulated_surface(Indexed_triangles&& triangles, unsigned number_of_threads)
+  /// \param number_of_threads 0 for as many as TBB allows
+  explicit Triangulated_surface(Indexed_triangles&& triangles, unsigned number_of_threads = 1)
       : Triangulated_surface(true, std::move(triangles),
                              Halfedge_pairing(triangles.faces, triangles.points.size(), number_of_threads))
   {
   }
 
   /// Compiles `triangles` to a surface with or without borders, after they have been checked; linear.
-  /// \param is_measured whether areas and normals are computed at once; they wait for `measure()` otherwise
   /// \pre `pairing` is that of the faces of `triangles` and has no conflict, and the faces of each vertex form one fan
-  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing, bool is_measured = true)
+  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
       : Triangulated_surface(false, std::move(triangles), std::move(pairing))
   {
     CGAL_precondition(!m_defect);
-    if (is_measured) {
-      measure();
-    }
-  }
-
-  /// Computes areas and normals, unless they are known; linear. Nothing if there is a defect.
-  void measure()
-  {
-    if (!m_defect && m_face_area.empty()) {
-      measure_faces();
-    }
   }
 
   /// \name Combinatorics
@@ -246,6 +229,8 @@ private:
       m_defect = {m_origin[lone], target(lone)};
     } else if (pinched != no_index) {
       m_defect = {pinched, no_index};
+    } else {
+      measure_faces();
     }
   }
 
@@ -254,7 +239,6 @@ private:
     m_face_area.resize(number_of_faces());
     m_vertex_area.assign(m_points.size(), 0.f);
     m_vertex_normal.assign(m_points.size(), {0.f, 0.f, 0.f});
-    m_total_area = 0;
     for (Index f = 0; f < number_of_faces(); ++f) {
       const Vector_3 vector = face_vector(f);
       const double area = is_hole_filling(f) ? 0. : vector.norm() / 2;

@@ -257,7 +257,7 @@ private:
   {
     Indexed_triangles part = m_triangles;
     remove_components(part, m_components, [&](Index c) { return (m_is_cavity[c] != 0) != are_candidates; });
-    return Triangulated_surface(std::move(part), 1U);
+    return Triangulated_surface(std::move(part));
   }
 
   void keep_within_bodies()

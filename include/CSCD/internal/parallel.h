@@ -31,26 +31,14 @@ inline constexpr Index range_size = 1U << 13U;
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-/// Whether there can be several threads.
-inline constexpr bool has_threads = true;
-
 /// Calls `function(begin, end)` for ranges of `range_size` indices, from 0 to `size` - 1, the last one shorter: the
 /// ranges do not depend on the number of threads. In order with one thread.
 /// \param number_of_threads 0 for as many as TBB allows
 void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function);
 
-/// Calls `function(i)` for `i` from 0 to `size` - 1; each call is enough work for a thread. In order with one thread.
-void for_each_part(Index size, unsigned number_of_threads, const std::function<void(Index)>& function);
-
-/// Calls `first()` and `second()`, at the same time where there are several threads, else in this order.
-void call_both(unsigned number_of_threads, const std::function<void()>& first, const std::function<void()>& second);
-
 #else
 
-inline constexpr bool has_threads = false;
-
-// Templates, as a `std::function` takes more code than the loop of one thread.
-
+// A template, as a `std::function` takes more code than the loop of one thread.
 template <class Function>
 void for_each_range(Index size, unsigned /* number_of_threads */, const Function& function)
 {
@@ -58,21 +46,6 @@ void for_each_range(Index size, unsigned /* number_of_threads */, const Function
     end = begin + (size - begin < range_size ? size - begin : range_size);
     function(begin, end);
   }
-}
-
-template <class Function>
-void for_each_part(Index size, unsigned /* number_of_threads */, const Function& function)
-{
-  for (Index i = 0; i < size; ++i) {
-    function(i);
-  }
-}
-
-template <class First, class Second>
-void call_both(unsigned /* number_of_threads */, const First& first, const Second& second)
-{
-  first();
-  second();
 }
 
 #endif // CGAL_LINKED_WITH_TBB
@@ -206,28 +179,11 @@ namespace CSCD::internal {
 inline void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function)
 {
   const Index number_of_ranges = size / range_size + (size % range_size != 0 ? 1 : 0);
-  for_each_part(number_of_ranges, number_of_threads, [size, &function](Index range) {
+  For_each_index<char> for_each([] { return '\0'; }, number_of_ranges > 1 ? number_of_threads : 1);
+  for_each(number_of_ranges, [size, &function](Index range, char&) {
     const Index begin = range * range_size;
     function(begin, begin + std::min(range_size, size - begin));
   });
-}
-
-inline void for_each_part(Index size, unsigned number_of_threads, const std::function<void(Index)>& function)
-{
-  For_each_index<char> for_each([] { return '\0'; }, size > 1 ? number_of_threads : 1);
-  for_each(size, [&function](Index i, char&) { function(i); });
-}
-
-inline void call_both(unsigned number_of_threads, const std::function<void()>& first,
-                      const std::function<void()>& second)
-{
-  if (number_of_loop_threads(number_of_threads) == 1) {
-    first();
-    second();
-    return;
-  }
-  For_each_index<char> for_each([] { return '\0'; }, number_of_threads);
-  for_each(2, [&](Index i, char&) { i == 0 ? first() : second(); });
 }
 
 } // namespace CSCD::internal
