@@ -205,23 +205,21 @@ public:
 
   /// Numbers separated by blanks, commas and parentheses.
   /// \throw File_error if there are not exactly `count` of them, all finite
-  std::vector<double> numbers(std::string text, const std::string& name, std::size_t count) const
+  template <std::size_t count>
+  std::array<double, count> numbers(std::string text, const std::string& name) const
   {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
     Text_scanner scanner(text, m_filename);
-    std::vector<double> result;
-    while (scanner.skip_blanks()) {
-      if (result.size() == count || !scanner.is_at_number()) {
-        fail(name, count);
-      }
-      const std::string word(scanner.word());
-      result.push_back(Text_scanner(word, m_filename).number());
-      if (!std::isfinite(result.back())) {
+    std::array<double, count> result{};
+    for (double& number : result) {
+      const bool is_there = scanner.skip_blanks() && scanner.is_at_number();
+      number = is_there ? scanner.number() : std::numeric_limits<double>::infinity();
+      if (!std::isfinite(number)) {
         fail(name, count);
       }
     }
-    if (result.size() != count) {
+    if (scanner.skip_blanks()) {
       fail(name, count);
     }
     return result;
@@ -231,7 +229,7 @@ public:
   template <std::size_t size>
   std::array<Vector_3, size> vectors(const std::string& text, const std::string& name) const
   {
-    const std::vector<double> v = numbers(text, name, 3 * size);
+    const std::array<double, 3 * size> v = numbers<3 * size>(text, name);
     std::array<Vector_3, size> result;
     for (std::size_t i = 0; i < size; ++i) {
       result[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
@@ -240,16 +238,18 @@ public:
   }
 
   /// Integers from 0 on. \throw File_error if there are not exactly `count` of them
-  std::vector<std::size_t> counts(const std::string& text, const std::string& name, std::size_t count) const
+  template <std::size_t count>
+  std::array<std::size_t, count> counts(const std::string& text, const std::string& name) const
   {
     constexpr double max_count = 1e15; // integers up to this are exact, and no file has as many bytes
-    std::vector<std::size_t> result;
-    for (const double number : numbers(text, name, count)) {
+    const std::array<double, count> all = numbers<count>(text, name);
+    std::array<std::size_t, count> result{};
+    std::transform(all.begin(), all.end(), result.begin(), [&](double number) {
       if (!(number >= 0) || number > max_count || number != std::floor(number)) {
         fail(name, count);
       }
-      result.push_back(std::size_t(number));
-    }
+      return std::size_t(number);
+    });
     return result;
   }
 
@@ -257,14 +257,7 @@ public:
   std::size_t count(const std::string& name, std::size_t its_default) const
   {
     const std::string text = value({name.c_str()});
-    return text.empty() ? its_default : counts(text, name, 1).front();
-  }
-
-  /// The sizes of the three axes.
-  std::array<std::size_t, 3> sizes(const char* field, const std::string& name) const
-  {
-    const std::vector<std::size_t> result = counts(value({field}), name, 3);
-    return {result[0], result[1], result[2]};
+    return text.empty() ? its_default : counts<1>(text, name).front();
   }
 
 private:
@@ -283,24 +276,18 @@ private:
   std::map<std::string, std::string> m_values;
 };
 
-/// Finds the data that a header names.
-/// \param position of the data in the file with the header, if they are there
-/// \param name of the file with the data, relative to that of the header, or empty
-void find_data(const std::string& filename, const std::string& name, std::size_t position, Volume_header& header)
+/// Finds the data that a header names, which begin behind so many bytes as the field `skip` says, or end the file.
+/// \param name of the file with the data, relative to that of the header; empty if they are behind the header
+/// \param number_of_lines before these bytes
+void find_data(const std::string& filename, const std::string& name, const Line_header& lines, const char* skip,
+               std::size_t number_of_lines, Volume_header& header)
 {
   if (name.find('%') != std::string::npos || boost::algorithm::starts_with(name, "LIST")) {
     fail_in_file(filename, "the data are in several files, which is not read", "write them into one");
   }
   header.data_filename =
       name.empty() ? filename : (std::filesystem::path(filename).parent_path() / name).string(); // absolute ones stay
-  header.data_begin = name.empty() ? position : 0;
-}
-
-/// Reads the byte skip, line skip and the rest that NRRD says of where data are.
-void find_nrrd_data(const std::string& filename, const Line_header& lines, Volume_header& header)
-{
-  find_data(filename, lines.value({"datafile"}), lines.position(), header);
-  std::size_t number_of_lines = lines.count("lineskip", 0);
+  header.data_begin = name.empty() ? lines.position() : 0;
   if (number_of_lines > 0) {
     std::ifstream in(header.data_filename, std::ios::binary);
     in.seekg(std::streamoff(header.data_begin));
@@ -309,11 +296,8 @@ void find_nrrd_data(const std::string& filename, const Line_header& lines, Volum
       number_of_lines -= c == '\n' ? 1 : 0;
     }
   }
-  if (lines.value({"byteskip"}) == "-1") {
-    header.is_data_at_end = true;
-  } else {
-    (header.is_compressed ? header.skipped_bytes : header.data_begin) += lines.count("byteskip", 0);
-  }
+  header.is_data_at_end = lines.value({skip}) == "-1";
+  header.skipped_bytes = header.is_data_at_end ? 0 : lines.count(skip, 0);
 }
 
 /// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
@@ -382,7 +366,7 @@ Volume_header read_nrrd_header(const std::string& filename)
   if (lines.count("dimension", 0) != 3) {
     fail_in_file(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
-  header.grid.size = lines.sizes("sizes", "sizes");
+  header.grid.size = lines.counts<3>(lines.value({"sizes"}), "sizes");
   header.type = nrrd_type(filename, lines.value({"type"}));
   header.order = lines.value({"endian"}) == "big" ? Byte_order::big : Byte_order::little;
   const std::string encoding = lower_case(lines.value({"encoding"}));
@@ -392,7 +376,10 @@ Volume_header read_nrrd_header(const std::string& filename)
                  "write it with the encoding raw or gzip");
   }
   read_nrrd_axes(lines, header.grid);
-  find_nrrd_data(filename, lines, header);
+  find_data(filename, lines.value({"datafile"}), lines, "byteskip", lines.count("lineskip", 0), header);
+  if (!header.is_compressed) {
+    header.data_begin += std::exchange(header.skipped_bytes, 0);
+  }
   return header;
 }
 
@@ -428,7 +415,7 @@ Volume_header read_meta_image_header(const std::string& filename)
     fail_in_file(filename, "is not of three dimensions with one number a voxel", "write such a volume");
   }
   Volume_header header;
-  header.grid.size = lines.sizes("dimsize", "DimSize");
+  header.grid.size = lines.counts<3>(lines.value({"dimsize"}), "DimSize");
   header.type = meta_image_type(filename, lines.value({"elementtype"}));
   header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
@@ -443,12 +430,8 @@ Volume_header read_meta_image_header(const std::string& filename)
   }
   const std::string data = lines.value({"elementdatafile"});
   const bool is_local = boost::algorithm::iequals(data, "LOCAL", std::locale::classic());
-  find_data(filename, is_local ? "" : data, lines.position(), header);
-  if (lines.value({"headersize"}) == "-1") {
-    header.is_data_at_end = true;
-  } else {
-    header.data_begin += lines.count("headersize", 0);
-  }
+  find_data(filename, is_local ? "" : data, lines, "headersize", 0, header);
+  header.data_begin += std::exchange(header.skipped_bytes, 0);
   return header;
 }
 
@@ -697,51 +680,43 @@ std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
 #endif
 }
 
-template <Volume_header read_header(const std::string&)>
-std::unique_ptr<Volume_file> open_bytes(const std::string& filename)
+using Read_header = Volume_header(const std::string& filename);
+
+/// The functions that read headers of files with these endings; null for TIFF.
+constexpr std::array<std::pair<const char*, Read_header*>, 8> volume_formats{{{".nrrd", read_nrrd_header},
+                                                                              {".nhdr", read_nrrd_header},
+                                                                              {".nii", read_nifti_header},
+                                                                              {".nii.gz", read_nifti_header},
+                                                                              {".mha", read_meta_image_header},
+                                                                              {".mhd", read_meta_image_header},
+                                                                              {".tif", nullptr},
+                                                                              {".tiff", nullptr}}};
+
+/// The row of the format of a file; the end of the table if its ending names none.
+const auto* find_volume_format(const std::string& filename)
 {
-  return std::make_unique<Byte_volume_file>(filename, read_header(filename));
-}
-
-using Open_volume = std::unique_ptr<Volume_file>(const std::string& filename);
-
-constexpr std::array<std::pair<const char*, Open_volume*>, 8> volume_formats{
-    {{".nrrd", open_bytes<read_nrrd_header>},
-     {".nhdr", open_bytes<read_nrrd_header>},
-     {".nii", open_bytes<read_nifti_header>},
-     {".nii.gz", open_bytes<read_nifti_header>},
-     {".mha", open_bytes<read_meta_image_header>},
-     {".mhd", open_bytes<read_meta_image_header>},
-     {".tif", open_tiff},
-     {".tiff", open_tiff}}};
-
-/// The function that opens a file with this ending; null if none does.
-Open_volume* find_volume_format(const std::string& filename)
-{
-  for (const auto& [ending, open] : volume_formats) {
-    if (boost::algorithm::iends_with(filename, ending, std::locale::classic())) {
-      return open;
-    }
-  }
-  return nullptr;
+  return std::find_if(volume_formats.begin(), volume_formats.end(), [&](const auto& format) {
+    return boost::algorithm::iends_with(filename, format.first, std::locale::classic());
+  });
 }
 
 std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 {
-  Open_volume* const open = find_volume_format(filename);
-  if (open == nullptr) {
+  const auto* const format = find_volume_format(filename);
+  if (format == volume_formats.end()) {
     fail_in_file(filename, "the ending names no known format of volumes",
                  "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
   open_file(filename); // libtiff would not report a folder or a wrong name as the cause
-  return open(filename);
+  return format->second == nullptr ? open_tiff(filename)
+                                   : std::make_unique<Byte_volume_file>(filename, format->second(filename));
 }
 
 } // namespace internal
 
 bool is_volume_filename(const std::string& filename)
 {
-  return internal::find_volume_format(filename) != nullptr;
+  return internal::find_volume_format(filename) != internal::volume_formats.end();
 }
 
 Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)
