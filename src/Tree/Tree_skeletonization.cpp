@@ -9,14 +9,21 @@
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Skeleton.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -135,6 +142,14 @@ private:
   const Gap_bridging& m_bridging;
   std::vector<std::vector<Index>> m_members; // of every object
   std::vector<char> m_is_taken;
+};
+
+/// A node of the skeleton of a tree.
+struct Tree_node
+{
+  Vector_3 position;
+  double radius;
+  Index parent; ///< stands before it; `no_index` for a root
 };
 
 /// Makes a node of each section of a limb, one where a trunk begins, and one at the tip of each limb.
@@ -302,8 +317,8 @@ public:
     assign_to_nearest(m_points, m_node_of_point);
   }
 
-  /// The skeletons, with all that is reported but time.
-  Tree_skeleton release(const Point_cloud& cloud) &&;
+  /// Moves the trees to `skeleton`, in the coordinates of the input. \return the report without the time
+  Tree_report move_to(const Point_cloud& cloud, Skeleton& skeleton) &&;
 
 private:
   /// Measures twice: the first time, to find the bridge where each piece is entered.
@@ -414,7 +429,7 @@ std::vector<std::string> tree_warnings(const Tree_report& report)
   return result;
 }
 
-Tree_skeleton Tree_skeletonization::release(const Point_cloud& cloud) &&
+Tree_report Tree_skeletonization::move_to(const Point_cloud& cloud, Skeleton& skeleton) &&
 {
   Tree_report report;
   report.number_of_points = cloud.input_point.size();
@@ -447,7 +462,22 @@ Tree_skeleton Tree_skeletonization::release(const Point_cloud& cloud) &&
     report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
   }
   report.warnings = tree_warnings(report);
-  return {std::move(m_nodes->nodes), std::move(m_node_of_point), std::move(report)};
+  skeleton = {};
+  for (const Tree_node& node : m_nodes->nodes) {
+    if (node.parent != no_index) {
+      skeleton.edges.push_back({node.parent, Index(skeleton.points.size())});
+    }
+    skeleton.points.push_back(normalization.to_input(node.position));
+    skeleton.radii.push_back(normalization.unit * node.radius);
+  }
+  skeleton.is_joined.assign(skeleton.edges.size(), 0);
+  skeleton.is_opening.assign(skeleton.points.size(), 0);
+  skeleton.significance = significance_levels(skeleton);
+  skeleton.vertices.resize(skeleton.points.size());
+  for (Index number = 0; number < cloud.input_point.size(); ++number) {
+    skeleton.vertices[m_node_of_point[cloud.input_point[number]]].push_back(number);
+  }
+  return report;
 }
 
 /// How far `points` deviate from the bark: from quadrics through some of them and their neighbors, at the quarter of
@@ -474,8 +504,8 @@ double noise_of_bark(const std::vector<Vector_3>& points)
   return quantile(std::move(deviations), noise_quantile);
 }
 
-} // namespace
-
+/// Thins a scan of trees that is denser than its noise allows: between points that are nearer to each other than they
+/// are to the bark, there are branches everywhere. Points that are left out are those nearest to them. O(n log n).
 Point_cloud thin_to_noise(Point_cloud&& cloud)
 {
   // In the unit of the noise: of four synthetic trees seen from two sides, with 1.5 there are twice as many superfluous
@@ -508,9 +538,24 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
   return std::move(cloud);
 }
 
-Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root)
+} // namespace
+
+Tree_report skeletonize_trees(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root,
+                              Skeleton& skeleton)
 {
-  return Tree_skeletonization(cloud.points, root).release(cloud);
+  const auto start = std::chrono::steady_clock::now();
+  const Point_cloud cloud =
+      thin_to_noise(collect_any_points(points, CGAL::Identity_property_map<Vector_3>(), No_normals()));
+  std::optional<Vector_3> place;
+  if (root) {
+    place = cloud.normalization.from_input(*root);
+    if (!place->allFinite()) {
+      throw Input_error("the root has a coordinate that is not finite: correct it or leave it out");
+    }
+  }
+  Tree_report report = Tree_skeletonization(cloud.points, place).move_to(cloud, skeleton);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
 }
 
 } // namespace CSCD::internal
