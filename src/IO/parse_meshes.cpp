@@ -26,8 +26,8 @@ constexpr const char* too_few_coordinates = "a vertex has too few coordinates";
 class Obj_parser
 {
 public:
-  Obj_parser(std::string_view text, const std::string& filename, Wanted wanted)
-      : m_scanner(text, filename), m_filename(filename), m_wanted(wanted)
+  Obj_parser(std::string_view text, const std::string& filename, unsigned contents)
+      : m_scanner(text, filename), m_filename(filename), m_contents(contents)
   {
   }
 
@@ -38,10 +38,10 @@ public:
       const std::string_view statement = m_scanner.word();
       if (statement == "v") {
         m_shape.points.push_back(m_scanner.point_in_line(too_few_coordinates));
-      } else if (statement == "f" && m_wanted != Wanted::skeleton) {
+      } else if (statement == "f" && m_contents != skeleton_content) {
         for_each_vertex([this](std::int64_t vertex) { m_shape.corners.push_back(Index(vertex)); });
         m_shape.end_polygon();
-      } else if (statement == "l" && m_wanted != Wanted::surface) {
+      } else if (statement == "l" && (m_contents & skeleton_content) != 0) {
         m_has_lines = true;
         std::int64_t previous = -1;
         for_each_vertex([&](std::int64_t vertex) {
@@ -54,7 +54,7 @@ public:
       has_faces = has_faces || statement == "f";
       m_scanner.skip_line();
     }
-    if (m_wanted == Wanted::skeleton && has_faces && !m_has_lines) {
+    if (m_contents == skeleton_content && has_faces && !m_has_lines) {
       fail_without_lines(m_filename);
     }
     check_number_of_points(m_shape.points.size(), m_filename);
@@ -85,7 +85,7 @@ private:
 
   Text_scanner m_scanner;
   std::string m_filename;
-  Wanted m_wanted;
+  unsigned m_contents;
   Shape_file m_shape;
   bool m_has_lines = false;
 };
@@ -324,17 +324,17 @@ private:
 
 } // namespace
 
-Shape_file parse_obj(std::string_view content, const std::string& filename, Wanted wanted)
+Shape_file parse_obj(std::string_view content, const std::string& filename, unsigned contents)
 {
-  return Obj_parser(content, filename, wanted).parse();
+  return Obj_parser(content, filename, contents).parse();
 }
 
-Shape_file parse_off(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_off(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   return Off_parser(content, filename).parse();
 }
 
-Shape_file parse_stl(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_stl(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   return Stl_parser(content, filename).parse();
 }

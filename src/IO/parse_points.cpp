@@ -374,20 +374,20 @@ private:
 
 } // namespace
 
-Shape_file parse_point_table(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_point_table(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   Shape_file shape = Point_table_parser(content, find_columns(content), filename).parse();
   keep_normals_only(shape);
   return shape;
 }
 
-Shape_file parse_pcd(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_pcd(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   return Pcd_parser(content, filename).parse();
 }
 
 /// Reads versions 1.0 to 1.4, not compressed.
-Shape_file parse_las(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_las(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   // Offsets in the header, by the specification of the ASPRS.
   constexpr std::size_t header_size = 227;

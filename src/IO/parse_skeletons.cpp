@@ -193,7 +193,7 @@ private:
 } // namespace
 
 /// Lines `n x y z` and `c i j`.
-Shape_file parse_gel_graph(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_gel_graph(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   Text_scanner scanner(content, filename);
   Shape_file shape;
@@ -213,7 +213,7 @@ Shape_file parse_gel_graph(std::string_view content, const std::string& filename
 }
 
 /// For each poly-line, the number of its points and then `x y z` of each. Points with equal coordinates are one node.
-Shape_file parse_polylines(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_polylines(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   Text_scanner scanner(content, filename);
   Shape_file shape;
@@ -243,12 +243,12 @@ Shape_file parse_polylines(std::string_view content, const std::string& filename
   return shape;
 }
 
-Shape_file parse_swc(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_swc(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   return Swc_parser(content, filename).parse();
 }
 
-Shape_file parse_json_skeleton(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_json_skeleton(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   return Json_parser(filename).parse(content);
 }
