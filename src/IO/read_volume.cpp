@@ -435,124 +435,101 @@ Volume_header read_meta_image_header(const std::string& filename)
   return header;
 }
 
-/// A header of NIfTI-1, whose numbers stand in fixed places.
-class Nifti_header
+/// Reads the axes by the matrix, else by the quaternion, else by spacings: the order that NIfTI recommends.
+/// \param integer, real read numbers of the header at their places
+template <class Integer, class Real>
+void read_nifti_axes(const Integer& integer, const Real& real, Volume_grid& grid)
 {
-public:
-  static constexpr std::size_t size = 348; ///< in bytes
-
-  Nifti_header(std::string bytes, const std::string& filename) : m_bytes(std::move(bytes)), m_filename(filename)
-  {
-    if (number<std::int32_t>(0) != std::int32_t(size)) {
-      m_order = Byte_order::big;
-    }
-    const std::string magic = m_bytes.substr(344, 3);
-    if (number<std::int32_t>(0) != std::int32_t(size) || magic != "n+1") {
-      fail_in_file(filename, "has no header of NIfTI-1 with its data in the same file",
-                   "check what the file is, or write it as NIfTI-1");
-    }
-  }
-
-  Volume_header header() const
-  {
-    Volume_header result;
-    result.order = m_order;
-    const int dimension = number<std::int16_t>(40);
-    for (std::size_t axis = 0; axis < 7; ++axis) {
-      const int extent = int(axis) < dimension ? number<std::int16_t>(42 + 2 * axis) : 1;
-      if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
-        fail_in_file(m_filename, "'dim' in the header tells no volume of one value a voxel",
-                     "write it as one of three dimensions");
+  if (integer(254) > 0) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        grid.axes[axis][row] = real(280 + 16 * row + 4 * axis);
       }
-      if (axis < 3) {
-        result.grid.size[axis] = std::size_t(extent);
-      }
+      grid.origin[row] = real(280 + 16 * row + 12);
     }
-    result.type = type();
-    const double slope = number<float>(112);
-    const double intercept = number<float>(116);
-    if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0) {
-      result.slope = slope;
-      result.intercept = intercept;
-    }
-    const double begin = number<float>(108);
-    constexpr double max_begin = 1e9; // bytes of extensions
-    if (!(begin >= double(size)) || begin > max_begin) {
-      fail_in_file(m_filename, "'vox_offset' in the header is inside the header or too large", "correct it");
-    }
-    result.data_begin = std::size_t(begin);
-    read_axes(result.grid);
-    return result;
+    return;
   }
-
-private:
-  template <class Number>
-  Number number(std::size_t place) const
-  {
-    return stored_number<Number>(m_bytes.data() + place, m_order);
+  if (integer(252) > 0) {
+    const double b = real(256);
+    const double c = real(260);
+    const double d = real(264);
+    const double a = std::sqrt(std::max(0., 1 - b * b - c * c - d * d));
+    grid.axes[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
+    grid.axes[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
+    grid.axes[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c};
+    grid.axes[2] *= real(76) < 0 ? -1 : 1;
+    grid.origin = {real(268), real(272), real(276)};
   }
+  scale_axes(grid, {real(80), real(84), real(88)});
+}
 
-  Number_type type() const
-  {
-    static const std::map<int, Number_type> types{{2, {'u', 1}},    {4, {'i', 2}},   {8, {'i', 4}},   {16, {'f', 4}},
-                                                  {64, {'f', 8}},   {256, {'i', 1}}, {512, {'u', 2}}, {768, {'u', 4}},
-                                                  {1024, {'i', 8}}, {1280, {'u', 8}}};
-    const int code = number<std::int16_t>(70);
-    const auto found = types.find(code);
-    if (found == types.end()) {
-      fail_in_file(m_filename, "'datatype' " + std::to_string(code) + " is not of one number a voxel",
-                   "write the volume with integers, float or double");
-    }
-    return found->second;
+constexpr std::size_t nifti_header_size = 348; // bytes
+
+/// \param bytes the header of NIfTI-1, whose numbers stand in fixed places
+Volume_header parse_nifti_header(const std::string& bytes, const std::string& filename)
+{
+  Volume_header result;
+  const auto has_size = [&] {
+    return stored_number<std::int32_t>(bytes.data(), result.order) == std::int32_t(nifti_header_size);
+  };
+  const auto integer = [&](std::size_t place) {
+    return int(stored_number<std::int16_t>(bytes.data() + place, result.order));
+  };
+  const auto real = [&](std::size_t place) { return double(stored_number<float>(bytes.data() + place, result.order)); };
+  result.order = has_size() ? Byte_order::little : Byte_order::big;
+  if (!has_size() || bytes.substr(344, 3) != "n+1") {
+    fail_in_file(filename, "has no header of NIfTI-1 with its data in the same file",
+                 "check what the file is, or write it as NIfTI-1");
   }
-
-  /// By the matrix, else by the quaternion, else by spacings: the order that NIfTI recommends.
-  void read_axes(Volume_grid& grid) const
-  {
-    if (number<std::int16_t>(254) > 0) {
-      for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          grid.axes[axis][row] = number<float>(280 + 16 * row + 4 * axis);
-        }
-        grid.origin[row] = number<float>(280 + 16 * row + 12);
-      }
-      return;
+  const int dimension = integer(40);
+  for (std::size_t axis = 0; axis < 7; ++axis) {
+    const int extent = int(axis) < dimension ? integer(42 + 2 * axis) : 1;
+    if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
+      fail_in_file(filename, "'dim' in the header tells no volume of one value a voxel",
+                   "write it as one of three dimensions");
     }
-    if (number<std::int16_t>(252) > 0) {
-      const double b = number<float>(256);
-      const double c = number<float>(260);
-      const double d = number<float>(264);
-      const double a = std::sqrt(std::max(0., 1 - b * b - c * c - d * d));
-      grid.axes[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
-      grid.axes[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
-      grid.axes[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c};
-      grid.axes[2] *= number<float>(76) < 0 ? -1 : 1;
-      grid.origin = {number<float>(268), number<float>(272), number<float>(276)};
+    if (axis < 3) {
+      result.grid.size[axis] = std::size_t(extent);
     }
-    scale_axes(grid, {number<float>(80), number<float>(84), number<float>(88)});
   }
-
-  std::string m_bytes;
-  std::string m_filename;
-  Byte_order m_order = Byte_order::little;
-};
+  static const std::map<int, Number_type> types{{2, {'u', 1}},    {4, {'i', 2}},   {8, {'i', 4}},   {16, {'f', 4}},
+                                                {64, {'f', 8}},   {256, {'i', 1}}, {512, {'u', 2}}, {768, {'u', 4}},
+                                                {1024, {'i', 8}}, {1280, {'u', 8}}};
+  const auto type = types.find(integer(70));
+  if (type == types.end()) {
+    fail_in_file(filename, "'datatype' " + std::to_string(integer(70)) + " is not of one number a voxel",
+                 "write the volume with integers, float or double");
+  }
+  result.type = type->second;
+  if (std::isfinite(real(112)) && std::isfinite(real(116)) && real(112) != 0) {
+    result.slope = real(112);
+    result.intercept = real(116);
+  }
+  const double begin = real(108);
+  constexpr double max_begin = 1e9; // bytes of extensions
+  if (!(begin >= double(nifti_header_size)) || begin > max_begin) {
+    fail_in_file(filename, "'vox_offset' in the header is inside the header or too large", "correct it");
+  }
+  result.data_begin = std::size_t(begin);
+  read_nifti_axes(integer, real, result.grid);
+  return result;
+}
 
 Volume_header read_nifti_header(const std::string& filename)
 {
   std::ifstream in = open_file(filename);
   const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
-  std::string bytes(Nifti_header::size, '\0');
+  std::string bytes(nifti_header_size, '\0');
   if (is_compressed) {
     Inflating_stream(in, filename).read(bytes.data(), bytes.size());
   } else if (!in.read(bytes.data(), std::streamsize(bytes.size()))) {
     fail_in_file(filename, "is shorter than a header of NIfTI-1", "check what the file is");
   }
-  Volume_header header = Nifti_header(std::move(bytes), filename).header();
+  Volume_header header = parse_nifti_header(bytes, filename);
   header.data_filename = filename;
   header.is_compressed = is_compressed;
   if (is_compressed) {
-    header.skipped_bytes = header.data_begin;
-    header.data_begin = 0;
+    header.skipped_bytes = std::exchange(header.data_begin, 0);
   }
   return header;
 }
