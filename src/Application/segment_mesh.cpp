@@ -139,7 +139,7 @@ private:
   const Skeletonized_surface& m_surface;
 };
 
-/// Cuts a surface into slices and measures their boundaries.
+/// Cuts a surface into slices and measures their boundaries. Near linear.
 class Slice_cutting
 {
 public:
@@ -347,11 +347,6 @@ private:
   std::vector<std::vector<Index>> m_inner_edges; // of each slice
 };
 
-Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters)
-{
-  return Slice_cutting(surface, diameters).release();
-}
-
 /// \name Weights of the score of two parts
 /// Fitted by logistic regression to the segmentations by people of the odd-numbered meshes of the Princeton benchmark;
 /// see `doc/applications.md`.
@@ -422,7 +417,7 @@ void number_parts(std::vector<Index>& parts)
 std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts)
 {
   const std::vector<double> diameters = face_shape_diameters(surface, default_number_of_diameter_smoothing_steps);
-  const Slice_graph graph = cut_into_slices(surface, diameters);
+  const Slice_graph graph = Slice_cutting(surface, diameters).release();
   Part_merging merging(graph);
   merging.run(number_of_parts);
   const std::vector<Index> part_of_slices = merging.part_of_slices();
