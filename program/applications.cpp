@@ -4,7 +4,6 @@
 // The commands `cscd segment`, `cscd diameter` and `cscd loops`: from arguments to files.
 
 #include "commands.h"
-#include "compute_skeleton.h"
 #include "types.h"
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
@@ -54,9 +53,8 @@ Skeletonized_input skeletonized_input(const Application_options& options)
   Skeletonized_input result;
   result.input = read_mesh(options.input, options.format, options.is_quiet, keeps_file);
   result.result = skeletonize_input(result.input, settings, nullptr);
-  const CSCD::internal::Assigned_surface assigned = assigned_surface(result.input, result.result.skeleton);
-  result.surface = CSCD::internal::make_skeletonized_surface(assigned.points, assigned.triangles,
-                                                             result.result.skeleton, assigned.node_of_vertex);
+  result.surface = CSCD::internal::make_skeletonized_surface(assigned_surface(result.input, result.result.skeleton),
+                                                             result.result.skeleton);
   return result;
 }
 
@@ -100,13 +98,11 @@ void segment(const Segment_options& options)
 void write_diameters(const Application_options& options)
 {
   const Skeletonized_input input = skeletonized_input(options);
-  const std::vector<double> values =
-      CSCD::internal::vertex_shape_diameters(input.surface, CSCD::default_number_of_diameter_smoothing_steps);
-  std::vector<double> diameters(input.input.points.size(), 0.); // of vertices without a face
-  std::vector<char> is_known(diameters.size(), 0);
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    diameters[input.surface.number[v]] = values[v];
-    is_known[input.surface.number[v]] = values[v] > 0 ? 1 : 0;
+  const std::vector<double> diameters = CSCD::internal::shape_diameters(
+      input.surface, input.input.points.size(), CSCD::default_number_of_diameter_smoothing_steps);
+  std::vector<char> is_known;
+  for (const double diameter : diameters) {
+    is_known.push_back(diameter > 0 ? 1 : 0);
   }
   write_output(options.output, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
@@ -138,10 +134,9 @@ Loops find_loops(const Loops_options& options, const Input& input)
 
 void write_loops_as_json(std::ostream& out, const Loops& loops)
 {
-  constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const CSCD::Surface_loop<Vector_3>& loop : loops) {
-    nlohmann::ordered_json object{{"kind", names[static_cast<std::size_t>(loop.kind)]}, {"length", loop.length}};
+    nlohmann::ordered_json object{{"kind", name(loop.kind)}, {"length", loop.length}};
     if (loop.kind == CSCD::Loop_kind::constriction) {
       object["depth"] = loop.depth;
     }

@@ -4,10 +4,8 @@
 // The computation of the skeleton: of meshes, of points on the surface made of them or by their neighborhoods, and of
 // scans of trees.
 
-#include "compute_skeleton.h"
-
 #include "Progress_bar.h"
-#include "roots.h"
+#include "types.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Graph_policies.h>
 #include <CSCD/IO/write_correspondence.h>
@@ -257,13 +255,7 @@ Skeletonization_result compute_published_point_skeleton(Input& input, const Skel
 Skeletonization_result compute_tree_skeleton(const Input& input, const Skeletonize_options& options)
 {
   Skeletonization_result result;
-  Number_graph graph;
-  if (const std::optional<Vector_3> root = root_point(options.root)) {
-    result.tree = CSCD::extract_tree_skeleton(input.points, graph, CSCD::parameters::root(*root));
-  } else {
-    result.tree = CSCD::extract_tree_skeleton(input.points, graph);
-  }
-  result.skeleton = to_plain(graph);
+  result.tree = CSCD::internal::skeletonize_trees(input.points, root_point(options.root), result.skeleton);
   return result;
 }
 

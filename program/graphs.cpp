@@ -73,9 +73,9 @@ Input read_graph(const Skeletonize_options& options)
   }
   const std::string filename = options.format.empty() ? options.input : "." + options.format;
   const CSCD::Shape_file shape =
-      CSCD::internal::read_shape(is_standard ? CSCD::internal::read_content(std::cin, name, filename)
-                                             : CSCD::internal::read_content(options.input),
-                                 filename, name);
+      CSCD::internal::parse_shape(is_standard ? CSCD::internal::read_content(std::cin, name, filename)
+                                              : CSCD::internal::read_content(options.input),
+                                  filename, name, CSCD::internal::any_content);
   std::vector<std::array<Index, 2>> edges;
   for (const auto& [a, b] : shape.lines) {
     edges.push_back({Index(a), Index(b)});

@@ -36,66 +36,44 @@ using CSCD::internal::counted;
 
 Json to_json(const CSCD::Skeleton_counts& c)
 {
-  return {{"number_of_nodes", c.number_of_nodes},
-          {"number_of_edges", c.number_of_edges},
-          {"number_of_components", c.number_of_components},
-          {"betti_number", c.betti_number},
-          {"number_of_tips", c.number_of_tips},
-          {"number_of_junctions", c.number_of_junctions},
-          {"number_of_isolated_nodes", c.number_of_isolated_nodes},
-          {"length", c.length},
-          {"mean_turning", c.mean_turning},
+  return {CSCD_JSON_PAIRS(c, number_of_nodes, number_of_edges, number_of_components, betti_number, number_of_tips,
+                          number_of_junctions, number_of_isolated_nodes, length, mean_turning),
           {"largest_turning", c.max_turning}};
 }
 
 Json to_json(const CSCD::Position_measures& p)
 {
-  return {{"number_of_surface_components", p.number_of_surface_components},
-          {"genus", p.genus},
-          {"number_of_borders", p.number_of_borders},
-          {"fraction_of_nodes_inside", p.fraction_of_nodes_inside},
-          {"fraction_of_length_inside", p.fraction_of_length_inside},
+  return {CSCD_JSON_PAIRS(p, number_of_surface_components, genus, number_of_borders, fraction_of_nodes_inside,
+                          fraction_of_length_inside),
           {"largest_distance_outside", p.max_distance_outside},
-          {"deviation_by_length", p.deviation_by_length},
-          {"offset_by_length", p.offset_by_length}};
+          CSCD_JSON_PAIRS(p, deviation_by_length, offset_by_length)};
 }
 
 Json to_json(const CSCD::Limb_measures& l)
 {
   Json limbs = Json::array();
   for (const CSCD::Surface_limb& limb : l.limbs) {
-    limbs.push_back(
-        {{"tip", {limb.tip.x(), limb.tip.y(), limb.tip.z()}}, {"height", limb.height}, {"has_tip", limb.has_tip}});
+    limbs.push_back({{"tip", {limb.tip.x(), limb.tip.y(), limb.tip.z()}}, CSCD_JSON_PAIRS(limb, height, has_tip)});
   }
   return {{"number_of_limbs", l.limbs.size()},
-          {"number_of_limbs_without_tip", l.number_of_limbs_without_tip},
-          {"number_of_tips_without_limb", l.number_of_tips_without_limb},
+          CSCD_JSON_PAIRS(l, number_of_limbs_without_tip, number_of_tips_without_limb),
           {"limbs", limbs}};
 }
 
 Json to_json(const CSCD::Reconstruction_error& e)
 {
-  return {{"mean", e.mean},
-          {"mean_square", e.mean_square},
-          {"maximum", e.maximum},
-          {"reverse_mean", e.reverse_mean},
-          {"reverse_maximum", e.reverse_maximum},
-          {"unresolved_fraction", e.unresolved_fraction},
-          {"cell_size", e.cell_size},
-          {"number_of_faces", e.number_of_faces}};
+  return {CSCD_JSON_PAIRS(e, mean, mean_square, maximum, reverse_mean, reverse_maximum, unresolved_fraction, cell_size,
+                          number_of_faces)};
 }
 
 Json to_json(const CSCD::Skeleton_distance& d)
 {
-  return {{"mean", d.mean}, {"maximum", d.maximum}, {"fraction_matched", d.fraction_matched}};
+  return {CSCD_JSON_PAIRS(d, mean, maximum, fraction_matched)};
 }
 
 Json to_json(const CSCD::Match_count& m)
 {
-  return {{"number_in_first", m.number_in_first},
-          {"number_in_second", m.number_in_second},
-          {"number_matched", m.number_matched},
-          {"fraction", m.fraction()}};
+  return {CSCD_JSON_PAIRS(m, number_in_first, number_in_second, number_matched), {"fraction", m.fraction()}};
 }
 
 /// `value` with a fixed number of digits; a dash if it is not defined.
@@ -167,16 +145,12 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
 {
   const bool is_point_set = measures.position.number_of_surface_components == 0;
   const Json document{{"version", CSCD_VERSION},
-                      {"input", options.input},
-                      {"skeleton", options.skeleton},
-                      {"radii", options.radii},
-                      {"number_of_points", measures.number_of_points},
-                      {"diagonal", measures.diagonal},
+                      CSCD_JSON_PAIRS(options, input, skeleton, radii),
+                      CSCD_JSON_PAIRS(measures, number_of_points, diagonal),
                       {"has_topology_of_surface", measures.has_topology_of_surface()},
                       {"counts", to_json(measures.counts)},
                       {"position", to_json(measures.position)},
-                      {"tip_recall", measures.limbs.tip_recall},
-                      {"tip_precision", measures.limbs.tip_precision},
+                      CSCD_JSON_PAIRS(measures.limbs, tip_recall, tip_precision),
                       {"limbs", is_point_set ? Json() : to_json(measures.limbs)},
                       {"convolution", to_json(measures.convolution)},
                       {"round_cones", to_json(measures.round_cones)},
@@ -188,7 +162,6 @@ namespace {
 
 void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
 {
-  const CSCD::Skeleton_counts& c = measures.counts;
   const CSCD::Position_measures& p = measures.position;
   const bool is_point_set = p.number_of_surface_components == 0;
   out << printable(options.input) << ": "
@@ -197,18 +170,14 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
   if (!is_point_set) {
     out << ", " << counted(p.number_of_surface_components, "component") << ", genus " << p.genus;
   }
-  out << '\n'
-      << printable(options.skeleton) << ": " << counted(c.number_of_nodes, "node") << ", "
-      << counted(c.number_of_edges, "edge") << ", " << counted(c.number_of_components, "component") << ", "
-      << counted(c.betti_number, "cycle") << ", " << counted(c.number_of_tips, "tip") << ", "
-      << counted(c.number_of_junctions, "junction") << '\n';
+  out << '\n' << printable(options.skeleton) << ": " << in_words(measures.counts) << '\n';
   if (!is_point_set) {
     out << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
     write_position(out, p);
     write_limbs(out, measures.limbs);
   }
-  out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.max_turning)
-      << " rad at a node\n"
+  out << "turning: " << fixed(measures.counts.mean_turning) << " rad per radius, at most "
+      << fixed(measures.counts.max_turning) << " rad at a node\n"
       << "distances in thousandths of the diagonal, with " << options.radii << " radii:\n"
       << "                         mean      rms      max  reverse      max\n";
   write_error(out, "convolution surface ", measures.convolution);
@@ -219,10 +188,8 @@ void write_comparison_as_json(std::ostream& out, const Compare_options& options,
                               const CSCD::Skeleton_comparison& comparison)
 {
   const Json document{{"version", CSCD_VERSION},
-                      {"first", options.first},
-                      {"second", options.second},
-                      {"diagonal", comparison.diagonal},
-                      {"match_distance", comparison.match_distance},
+                      CSCD_JSON_PAIRS(options, first, second),
+                      CSCD_JSON_PAIRS(comparison, diagonal, match_distance),
                       {"mean_distance", comparison.mean_distance()},
                       {"hausdorff_distance", comparison.hausdorff_distance()},
                       {"from_first_to_second", to_json(comparison.from_first_to_second)},
@@ -255,8 +222,10 @@ void check_skeleton_argument(const std::string& filename)
 
 Skeleton read_skeleton_argument(const std::string& filename)
 {
-  return filename == standard_stream ? CSCD::internal::read_indexed_skeleton(std::cin, ".graph", "standard input")
-                                     : CSCD::internal::read_indexed_skeleton(filename);
+  constexpr unsigned contents = CSCD::internal::skeleton_content;
+  return CSCD::internal::to_skeleton(filename == standard_stream
+                                         ? CSCD::internal::read_shape(std::cin, ".graph", "standard input", contents)
+                                         : CSCD::internal::read_shape(filename, contents));
 }
 
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options)

@@ -93,7 +93,7 @@ Option file_option(const char* name, std::string& file, const char* content)
   return {name, &file, argument_of_files, content};
 }
 
-std::vector<Option> fragment_options(Fragment_options& options, const char* unit)
+std::vector<Option> fragment_options(CSCD::internal::Simplification_parameters& options, const char* unit)
 {
   return {Option{"min-component", &options.min_component_size, "N",
                  std::string("drop components of less than N ") + unit + ", except the largest"}
@@ -229,7 +229,8 @@ std::vector<Option> options_of(Skeletonize_options& o)
       {Option{"threshold", &o.volume.threshold, "T", "the body: voxels of at least T; by default all that are not 0"}
            .of(volume_input),
        Option{"label", &o.volume.label, "L", "the body: voxels of label L"}.at_least(1).of(volume_input),
-       Option{"all-labels", &o.volume.has_all_labels, "", "a body and files FILE_L for each label L"}.of(volume_input),
+       Option{"all-labels", &o.volume.separates_labels, "", "a body and files FILE_L for each label L"}.of(
+           volume_input),
        Option{"resume", &o.volume.resumes, "", "with --all-labels: leave out labels whose files are there"}.of(
            volume_input),
        Option{"connectivity", &o.volume.connectivity, "6|26", "number of neighbors of a voxel"}
@@ -296,13 +297,15 @@ std::vector<Option> options_of(Simplify_options& o)
           format_option(o.format, CSCD::mesh_endings())});
   append(
       table, skeleton_group,
-      {Option{"min-significance", &o.min_significance, "S", "prune limbs that reach less than S radii beyond the body"}
+      {Option{"min-significance", &o.steps.min_significance, "S",
+              "prune limbs that reach less than S radii beyond the body"}
            .at_least(0),
-       Option{"min-length", &o.min_length, "L", "prune limbs shorter than L"}.at_least(0),
-       Option{"min-length-over-radius", &o.min_length_over_radius, "X", "prune limbs shorter than X radii"}.at_least(0),
-       Option{"spacing", &o.spacing, "D", "distance of nodes along branches; Xr means X local radii"}.at_least(0),
-       Option{"spacing-over-radius", &o.spacing_over_radius, "X", "the same in local radii"}.at_least(0)});
-  append(table, skeleton_group, fragment_options(o.fragments, "nodes"));
+       Option{"min-length", &o.steps.min_length, "L", "prune limbs shorter than L"}.at_least(0),
+       Option{"min-length-over-radius", &o.steps.min_length_over_radius, "X", "prune limbs shorter than X radii"}
+           .at_least(0),
+       Option{"spacing", &o.steps.spacing, "D", "distance of nodes along branches; Xr means X local radii"}.at_least(0),
+       Option{"spacing-over-radius", &o.steps.spacing_over_radius, "X", "the same in local radii"}.at_least(0)});
+  append(table, skeleton_group, fragment_options(o.steps, "nodes"));
   append(table, skeleton_group, {root_option(o.root)});
   append(table, output_group, {skeleton_outputs(o.outputs, "skeleton by its ending").required()});
   append(table, output_group, swc_options(o.swc));
@@ -433,12 +436,22 @@ std::vector<std::pair<std::string, std::string*>> other_files(Skeletonize_option
   return result;
 }
 
+std::vector<std::pair<std::string, std::string>> given_files(Skeletonize_options options)
+{
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& [option, file] : other_files(options)) {
+    if (!file->empty()) {
+      result.emplace_back(option, *file);
+    }
+  }
+  return result;
+}
+
 std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
 {
-  Skeletonize_options copy = options;
-  const auto files = other_files(copy);
-  return std::count(copy.outputs.begin(), copy.outputs.end(), standard_stream) +
-         std::count_if(files.begin(), files.end(), [](const auto& file) { return *file.second == standard_stream; });
+  const auto files = given_files(options);
+  return std::count(options.outputs.begin(), options.outputs.end(), standard_stream) +
+         std::count_if(files.begin(), files.end(), [](const auto& file) { return file.second == standard_stream; });
 }
 
 void check_applicability(const Skeletonize_options& options, unsigned kinds)

@@ -8,6 +8,8 @@
 #define CSCD_PROGRAM_OPTIONS_H
 
 #include <CSCD/Application/find_surface_loops.h>
+#include <CSCD/IO/read_volume.h>
+#include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Options.h>
 
 #include <cstddef>
@@ -49,13 +51,6 @@ inline constexpr const char* estimated_radii = "estimated";
 inline constexpr const char* own_radii = "own";
 /// @}
 
-/// The treatment of components of a skeleton that are fragments.
-struct Fragment_options
-{
-  std::size_t min_component_size = 0; ///< in vertices or points, or in nodes of a skeleton from a file; 0 keeps all
-  bool joins_components = false;
-};
-
 /// The contents of SWC files besides the skeleton.
 struct Swc_arguments
 {
@@ -65,14 +60,11 @@ struct Swc_arguments
 };
 
 /// The voxels of a volume that belong to a body, and their connectivity.
-struct Volume_options
+struct Volume_options : CSCD::Voxel_selection
 {
-  std::optional<unsigned> label;   ///< of the body; without it and the others all voxels that are not 0 are of it
-  std::optional<double> threshold; ///< voxels of at least this value are of the body
-  bool has_all_labels = false;     ///< each label is a body of its own
-  bool resumes = false;            ///< labels whose files are there are left out
-  unsigned connectivity = 26;      ///< or 6: the number of neighbors of a voxel
-  bool keeps_cavities = false;     ///< as surfaces that get skeletons of their own
+  bool resumes = false;        ///< labels whose files are there are left out
+  unsigned connectivity = 26;  ///< or 6: the number of neighbors of a voxel
+  bool keeps_cavities = false; ///< as surfaces that get skeletons of their own
 };
 
 /// The options of `cscd skeletonize`.
@@ -95,7 +87,7 @@ struct Skeletonize_options
   unsigned number_of_threads = 0;            ///< 0 for as many as the machine has
   std::size_t maximum_number_of_sources = 0; ///< of separators; 0 for the default of the method
   Volume_options volume;
-  Fragment_options fragments;
+  CSCD::internal::Simplification_parameters fragments; ///< the treatment of components that are fragments
   Swc_arguments swc;
   std::string branches;       ///< file name for the table of branches, `standard_stream`, or empty
   std::string nodes;          ///< likewise for the table of nodes
@@ -127,19 +119,14 @@ struct Compare_options
   bool is_json = false;
 };
 
-/// The options of `cscd simplify`; steps with 0 are not done.
+/// The options of `cscd simplify`.
 struct Simplify_options
 {
   std::string skeleton;             ///< a file name, or `standard_stream` for GEL's graph format
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string mesh;                 ///< a file name, `standard_stream`, or empty
   std::string format;               ///< of the mesh: an ending without its dot; by that of its name if empty
-  double min_significance = 0;
-  double min_length = 0; ///< in the unit of the skeleton
-  double min_length_over_radius = 0;
-  double spacing = 0; ///< in the unit of the skeleton
-  double spacing_over_radius = 0;
-  Fragment_options fragments;
+  CSCD::internal::Simplification_parameters steps;
   std::string root; ///< three coordinates with commas between, the name of a rule, or empty
   Swc_arguments swc;
   bool is_quiet = false;
@@ -261,8 +248,11 @@ void assign(const Option& option, const std::string& text);
 /// The rows of the table of `options` whose values are not the defaults.
 std::vector<Option> given_options(Skeletonize_options& options);
 
-/// The options, with dashes, that name other files than those of the skeleton, and the places of these names.
+/// All options, with dashes, for other files than those of the skeleton, and the places of the names of the files.
 std::vector<std::pair<std::string, std::string*>> other_files(Skeletonize_options& options);
+
+/// The options, with dashes, that name other files than those of the skeleton, and these names.
+std::vector<std::pair<std::string, std::string>> given_files(Skeletonize_options options);
 
 /// The number of results that go to standard output.
 std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options);

@@ -3,8 +3,7 @@
 //
 // The values of `--root`, and files whose content depends on them.
 
-#include "roots.h"
-
+#include "types.h"
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/Rooted_forest.h>
 

@@ -4,7 +4,6 @@
 // The command `cscd simplify`, and the treatment of fragments by `cscd skeletonize`.
 
 #include "commands.h"
-#include "roots.h"
 #include "types.h"
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
@@ -45,33 +44,21 @@ void write_summary(const Simplify_options& options, const CSCD::Simplification_r
 {
   std::cout << printable(options.skeleton) << ": " << counted(report.number_of_removed_nodes, "node") << " pruned, "
             << counted(report.number_of_removed_components, "component") << " removed, "
-            << counted(report.number_of_joined_edges, "edge")
-            << " added\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
-            << counted(report.number_of_edges, "edge") << ", " << counted(report.number_of_components, "component")
-            << ", " << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
-            << counted(report.number_of_junctions, "junction") << '\n';
+            << counted(report.number_of_joined_edges, "edge") << " added\nskeleton: " << in_words(report) << '\n';
 }
 
 } // namespace
 
 CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Input* mesh, Skeleton& skeleton)
 {
-  CSCD::internal::Simplification_parameters parameters;
-  parameters.min_component_size = options.fragments.min_component_size;
-  parameters.min_significance = options.min_significance;
-  parameters.min_length = options.min_length;
-  parameters.min_length_over_radius = options.min_length_over_radius;
-  parameters.joins_components = options.fragments.joins_components;
-  parameters.spacing = options.spacing;
-  parameters.spacing_over_radius = options.spacing_over_radius;
   try {
     if (mesh == nullptr) {
-      return CSCD::internal::simplify_skeleton(skeleton, parameters, nullptr);
+      return CSCD::internal::simplify_skeleton(skeleton, options.steps, nullptr);
     }
     const CSCD::internal::Prepared_mesh prepared(
         [mesh] { return CSCD::check_triangles(std::vector(mesh->points), std::vector(mesh->faces)); },
         CSCD::Border_treatment::bridge, 1);
-    return CSCD::internal::simplify_skeleton(skeleton, parameters, &prepared.solid());
+    return CSCD::internal::simplify_skeleton(skeleton, options.steps, &prepared.solid());
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(options.skeleton + ": " + error.what());
   }
@@ -103,15 +90,12 @@ void simplify(const Simplify_options& options)
   }
 }
 
-void treat_fragments(const Fragment_options& options, Skeletonization_result& result)
+void treat_fragments(const CSCD::internal::Simplification_parameters& options, Skeletonization_result& result)
 {
   if (options.min_component_size == 0 && !options.joins_components) {
     return;
   }
-  CSCD::internal::Simplification_parameters parameters;
-  parameters.min_component_size = options.min_component_size;
-  parameters.joins_components = options.joins_components;
-  const CSCD::Simplification_report report = CSCD::internal::simplify_skeleton(result.skeleton, parameters, nullptr);
+  const CSCD::Simplification_report report = CSCD::internal::simplify_skeleton(result.skeleton, options, nullptr);
   CSCD::Skeletonization_report& counts = result.report;
   counts.number_of_nodes = report.number_of_nodes;
   counts.number_of_edges = report.number_of_edges;

@@ -5,11 +5,8 @@
 
 #include "Progress_bar.h"
 #include "commands.h"
-#include "compute_skeleton.h"
 #include "options.h"
-#include "roots.h"
 #include "types.h"
-#include "volumes.h"
 #include "write_html_page.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
@@ -53,16 +50,6 @@ void say(const std::string& input, const std::string& sentence)
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
 }
 
-/// The names of the files besides those of the skeleton, by their options; empty if not given.
-std::vector<std::pair<std::string, std::string>> other_outputs(Skeletonize_options options)
-{
-  std::vector<std::pair<std::string, std::string>> result;
-  for (const auto& [option, file] : other_files(options)) {
-    result.emplace_back(option, *file);
-  }
-  return result;
-}
-
 /// Whether a rig is written to `output`, by its ending.
 bool is_rig(const std::string& output)
 {
@@ -80,7 +67,7 @@ void check_outputs(const Skeletonize_options& options)
     }
   }
   check_skeleton_outputs(skeletons, options.input, " .glb .html");
-  for (const auto& [option, file] : other_outputs(options)) {
+  for (const auto& [option, file] : given_files(options)) {
     check_is_not_input(file, options.input, option);
   }
   if (std::any_of(options.outputs.begin(), options.outputs.end(), is_page)) {
@@ -240,11 +227,10 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
   if (number_of_results_on_standard_output(options) == 0) {
     write_summary(std::cout, options, result);
   }
-  const auto others = other_outputs(options);
+  const auto files = given_files(options);
   const bool is_nothing_written =
-      options.outputs.empty() && !result.volume && std::all_of(others.begin(), others.end(), [](const auto& file) {
-        return file.second.empty() || file.first == "--report";
-      });
+      options.outputs.empty() && !result.volume &&
+      std::all_of(files.begin(), files.end(), [](const auto& file) { return file.first == "--report"; });
   if (is_nothing_written) {
     say(options.input, "the skeleton is not written; name a file by --output");
   }
@@ -305,14 +291,15 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
                  unsigned number_of_threads)
 {
   const std::string ending = format.empty() ? name : "." + format;
-  CSCD::Shape_file soup;
+  constexpr unsigned contents = CSCD::internal::mesh_content | CSCD::internal::point_content;
+  std::ifstream file;
   if (name == standard_stream) {
     check_format_of_standard_input(format);
-    soup = CSCD::internal::read_polygons_or_points(std::cin, ending, name_of(name));
   } else {
-    std::ifstream in = CSCD::internal::open_file(name);
-    soup = CSCD::internal::read_polygons_or_points(in, ending, name);
+    file = CSCD::internal::open_file(name);
   }
+  std::istream& in = name == standard_stream ? std::cin : file;
+  CSCD::Shape_file soup = CSCD::internal::read_shape(in, ending, name_of(name), contents);
   return to_input(std::move(soup), name, is_quiet, keeps_file, number_of_threads);
 }
 
@@ -398,12 +385,6 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   check_options(result, options);
   treat_fragments(options.fragments, result);
   measure_branches(input, options, result);
-  for (std::size_t node = 0; node < result.skeleton.is_opening.size(); ++node) {
-    if (result.skeleton.is_opening[node] != 0) {
-      const Vector_3& point = result.skeleton.points[node];
-      result.openings.push_back({node, {point.x(), point.y(), point.z()}, result.skeleton.radii[node]});
-    }
-  }
   return result;
 }
 
@@ -431,8 +412,7 @@ namespace {
 /// Whether one of the results needs the mesh.
 bool needs_mesh(const Skeletonize_options& options)
 {
-  const auto files = other_outputs(options);
-  return std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.second.empty(); }) ||
+  return !given_files(options).empty() ||
          std::any_of(options.outputs.begin(), options.outputs.end(),
                      [](const std::string& output) { return is_rig(output) || is_page(output); });
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The types that the parts of the program share, and reading the input.
+// The types and functions that the parts of the program share.
 
 #ifndef CSCD_PROGRAM_TYPES_H
 #define CSCD_PROGRAM_TYPES_H
@@ -11,6 +11,7 @@
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/Skeleton_measures.h>
@@ -50,12 +51,6 @@ struct Input
   bool is_wrapped = false;           ///< whether the mesh is a wrap around that of the file
   bool has_other_columns = false;    ///< whether three numbers after each point are not normals
   CSCD::Shape_file as_read;          ///< the contents of the file, if kept
-};
-
-/// A skeleton, and the report of its computation.
-struct Skeletonization_result : Run_report
-{
-  Skeleton skeleton;
 };
 
 /// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.
@@ -115,8 +110,36 @@ Skeleton read_skeleton_argument(const std::string& filename);
 void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
                             const std::string& other_endings = "");
 
+/// The coordinates that the value of `--root` gives; none if it names a rule.
+/// \pre `check_root()` has accepted it
+std::optional<Vector_3> root_point(const std::string& root);
+
+/// The roots that the value of `--root` chooses; none if it is empty.
+/// \throw CSCD::Input_error if they cannot be chosen
+std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root);
+
+/// Writes a skeleton to a file of `files` in the format of its ending, or to standard output as a graph of GEL.
+void write_skeleton_output(CSCD::File_group& files, const std::string& output, const Skeleton& skeleton,
+                           const std::vector<Index>& roots, const Swc_arguments& swc);
+
 /// Removes and joins components as `options` demand.
-void treat_fragments(const Fragment_options& options, Skeletonization_result& result);
+void treat_fragments(const CSCD::internal::Simplification_parameters& options, Skeletonization_result& result);
+
+/// Skeletonizes `input` as `options` demand. If it is a point set, its mesh becomes the surface made of the points.
+/// \param progress is informed, or is empty
+/// \throw CSCD::Input_error if it cannot be skeletonized
+Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options,
+                                        const Stage_progress& progress);
+
+/// The label of each vertex or point of the file, in its order.
+/// \pre `input` has kept the contents of the file
+std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result);
+
+/// Replaces the mesh of `input` by the surface that CGAL's alpha wrapping puts around it: closed, without parts that
+/// cut each other, and solid where the inside is reached by narrow holes only. It does not keep the vertices.
+/// \param size holes, gaps and hollows that are narrower are closed; relative to the diagonal of the bounding box
+/// \throw CSCD::Input_error if nothing can be wrapped
+void wrap_mesh(Input& input, double size);
 
 /// Skeletonizes `input`, which messages call by the name that `options` have for it. Nothing is written. If it is a
 /// point set, its mesh becomes the surface made of the points.
@@ -144,6 +167,27 @@ void write_to(CSCD::File_group& files, const std::string& filename, const Write&
     files.write(filename, write);
   }
 }
+
+/// Whether the input is a volume, by its ending.
+bool is_volume(const Skeletonize_options& options);
+
+/// Whether `output` is a volume of node numbers.
+bool is_node_volume(const std::string& output);
+
+/// Refuses options of volumes that exclude each other, and outputs that need a volume.
+/// \throw Usage_error
+void check_volume_options(const Skeletonize_options& options);
+
+/// Skeletonizes the surface of a body in a volume and writes the results, except volumes, to `files`.
+using Skeletonize_body =
+    std::function<Skeletonization_result(CSCD::File_group& files, Input& body, const Skeletonize_options& options)>;
+
+/// Reads the surfaces of the bodies in a volume, calls `skeletonize_body` for each after its last slice, and writes
+/// volumes of node numbers. If each label is a body, the names of the files hold it, and its files are published before
+/// the next label begins.
+/// \throw `CSCD::File_error`, `CSCD::Input_error`
+void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
+                        const Skeletonize_body& skeletonize_body);
 
 /// Whether `output` is a viewer page, by its ending.
 bool is_page(const std::string& output);

@@ -3,8 +3,7 @@
 //
 // Volumes as input of `cscd skeletonize`: one body, or one for each label.
 
-#include "volumes.h"
-
+#include "types.h"
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
 #include <CSCD/Surface/Triangles.h>
@@ -24,15 +23,6 @@
 namespace cscd {
 
 namespace {
-
-CSCD::Voxel_selection selection_of(const Volume_options& options)
-{
-  CSCD::Voxel_selection result;
-  result.threshold = options.threshold;
-  result.label = options.label;
-  result.separates_labels = options.has_all_labels;
-  return result;
-}
 
 CSCD::Voxel_surface_settings settings_of(const Volume_options& options)
 {
@@ -58,7 +48,7 @@ Skeletonize_options options_of_body(const Skeletonize_options& options, std::uin
   Skeletonize_options result = options;
   result.outputs.erase(std::remove_if(result.outputs.begin(), result.outputs.end(), is_node_volume),
                        result.outputs.end());
-  if (options.volume.has_all_labels) {
+  if (options.volume.separates_labels) {
     for (std::string& output : result.outputs) {
       output = insert_label(output, label);
     }
@@ -75,13 +65,11 @@ bool has_node_volume(const Skeletonize_options& options)
 }
 
 /// Whether `options` name files, and all are there.
-bool is_done(Skeletonize_options options)
+bool is_done(const Skeletonize_options& options)
 {
   std::vector<std::string> files = options.outputs;
-  for (const auto& [option, file] : other_files(options)) {
-    if (!file->empty()) {
-      files.push_back(*file);
-    }
+  for (const auto& [option, file] : given_files(options)) {
+    files.push_back(file);
   }
   return !files.empty() &&
          std::all_of(files.begin(), files.end(), [](const std::string& file) { return std::filesystem::exists(file); });
@@ -105,13 +93,13 @@ void check_volume_options(const Skeletonize_options& options)
   if (!is_volume(options) && has_node_volume(options)) {
     throw Usage_error("--output .nrrd: does not apply to meshes, points or graphs; use --correspondence");
   }
-  if (int(volume.label.has_value()) + int(volume.threshold.has_value()) + int(volume.has_all_labels) > 1) {
+  if (int(volume.label.has_value()) + int(volume.threshold.has_value()) + int(volume.separates_labels) > 1) {
     throw Usage_error("--label, --threshold and --all-labels exclude each other; give one of them");
   }
-  if (volume.has_all_labels && number_of_results_on_standard_output(options) > 0) {
+  if (volume.separates_labels && number_of_results_on_standard_output(options) > 0) {
     throw Usage_error("--all-labels: has several results of a kind, which cannot go to standard output; name files");
   }
-  if (volume.resumes && !volume.has_all_labels) {
+  if (volume.resumes && !volume.separates_labels) {
     throw Usage_error("--resume: continues --all-labels; add that, or leave it out");
   }
   if (volume.resumes && has_node_volume(options)) {
@@ -137,7 +125,7 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
     Input body = make_input(keeps_surfaces ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
     body.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
     const Skeletonization_result result = skeletonize_body(files, body, options_of_this);
-    if (options.volume.has_all_labels) {
+    if (options.volume.separates_labels) {
       files.publish();
     }
     if (keeps_surfaces) {
@@ -148,14 +136,13 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
       surfaces.push_back(std::move(surface));
     }
   };
-  CSCD::for_each_voxel_surface(options.input, selection_of(options.volume), settings_of(options.volume),
-                               skeletonize_surface);
+  CSCD::for_each_voxel_surface(options.input, options.volume, settings_of(options.volume), skeletonize_surface);
   if (is_empty) {
     throw CSCD::Input_error(options.input + ": no voxel is of a body; choose another label or threshold");
   }
   for (const std::string& output : options.outputs) {
     if (is_node_volume(output)) {
-      CSCD::Volume_reader reader(options.input, selection_of(options.volume));
+      CSCD::Volume_reader reader(options.input, options.volume);
       files.write(output, [&](std::ostream& out) { CSCD::write_node_volume(out, reader, surfaces, node_of_vertex); });
     }
   }

@@ -3,7 +3,6 @@
 //
 // One closed surface around a mesh of any kind.
 
-#include "compute_skeleton.h"
 #include "types.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/exceptions.h>

@@ -35,15 +35,9 @@ using CSCD::internal::counted;
 Json input_part(const CSCD::Skeletonization_report& r)
 {
   return {{"number_of_sites", r.number_of_input_vertices},
-          {"number_of_isolated_vertices", r.number_of_isolated_vertices},
-          {"number_of_surface_components", r.number_of_surface_components},
-          {"number_of_bridged_borders", r.number_of_bridged_borders},
-          {"number_of_cavities", r.number_of_cavities},
-          {"number_of_sheets", r.number_of_sheets},
-          {"number_of_wide_borders", r.number_of_wide_borders},
-          {"number_of_inserted_vertices", r.number_of_inserted_vertices},
-          {"number_of_degenerate_faces", r.number_of_degenerate_faces},
-          {"number_of_levels", r.number_of_levels},
+          CSCD_JSON_PAIRS(r, number_of_isolated_vertices, number_of_surface_components, number_of_bridged_borders,
+                          number_of_cavities, number_of_sheets, number_of_wide_borders, number_of_inserted_vertices,
+                          number_of_degenerate_faces, number_of_levels),
           {"genus", r.genus ? Json(*r.genus) : Json()}};
 }
 
@@ -70,58 +64,35 @@ Json rejections(const CSCD::Skeletonization_report& r)
 
 Json separators_part(const CSCD::Skeletonization_report& r)
 {
-  return {{"number_of_sources", r.number_of_sources},
-          {"number_of_sources_without_cut", r.number_of_sources_without_cut},
+  return {CSCD_JSON_PAIRS(r, number_of_sources, number_of_sources_without_cut),
           {"number_of_rejections", rejections(r)},
-          {"number_of_collapsed_loops", r.number_of_collapsed_loops},
-          {"number_of_held_loops", r.number_of_held_loops},
-          {"number_of_unfinished_loops", r.number_of_unfinished_loops},
-          {"number_of_bumps", r.number_of_bumps},
-          {"number_of_tunnels", r.number_of_tunnels},
-          {"number_of_separators", r.number_of_separators},
-          {"number_of_plane_sections", r.number_of_plane_sections},
-          {"number_of_straightened_loops", r.number_of_straightened_loops},
-          {"number_of_packed_separators", r.number_of_packed_separators},
-          {"number_of_open_separators", r.number_of_open_separators},
-          {"number_of_handle_cuts", r.number_of_handle_cuts}};
+          CSCD_JSON_PAIRS(r, number_of_collapsed_loops, number_of_held_loops, number_of_unfinished_loops,
+                          number_of_bumps, number_of_tunnels, number_of_separators, number_of_plane_sections,
+                          number_of_straightened_loops, number_of_packed_separators, number_of_open_separators,
+                          number_of_handle_cuts)};
 }
 
 Json skeleton_part(const CSCD::Skeletonization_report& r)
 {
-  return {{"number_of_nodes", r.number_of_nodes},
-          {"number_of_edges", r.number_of_edges},
-          {"number_of_skeleton_components", r.number_of_skeleton_components},
-          {"betti_number", r.betti_number},
-          {"number_of_tips", r.number_of_tips},
-          {"number_of_junctions", r.number_of_junctions},
-          {"number_of_openings", r.number_of_openings},
-          {"number_of_nodes_outside", r.number_of_nodes_outside},
-          {"number_of_edges_outside", r.number_of_edges_outside}};
+  return {CSCD_JSON_PAIRS(r, number_of_nodes, number_of_edges, number_of_skeleton_components, betti_number,
+                          number_of_tips, number_of_junctions, number_of_openings, number_of_nodes_outside,
+                          number_of_edges_outside)};
 }
 
 Json repairs_part(const std::vector<CSCD::Reconstruction_repair>& repairs)
 {
   Json result = Json::array();
   for (const CSCD::Reconstruction_repair& repair : repairs) {
-    result.push_back({{"center", repair.center}, {"length", repair.length}});
+    result.push_back({CSCD_JSON_PAIRS(repair, center, length)});
   }
   return result;
 }
 
 Json reconstruction_part(const CSCD::Reconstruction_report& r)
 {
-  return {{"number_of_points", r.number_of_points},
-          {"number_of_duplicates", r.number_of_duplicates},
-          {"number_of_thinned_points", r.number_of_thinned_points},
-          {"is_averaged", r.is_averaged},
-          {"number_of_neighbors", r.number_of_neighbors},
-          {"spacing", r.spacing},
-          {"noise", r.noise},
-          {"is_smoothed", r.is_smoothed},
-          {"number_of_outliers", r.number_of_outliers},
-          {"number_of_unused_points", r.number_of_unused_points},
-          {"number_of_border_edges", r.number_of_border_edges},
-          {"number_of_holes", r.number_of_holes},
+  return {CSCD_JSON_PAIRS(r, number_of_points, number_of_duplicates, number_of_thinned_points, is_averaged,
+                          number_of_neighbors, spacing, noise, is_smoothed, number_of_outliers, number_of_unused_points,
+                          number_of_border_edges, number_of_holes),
           {"number_of_joined_gaps", r.joined_gaps.size()},
           {"number_of_cut_handles", r.cut_handles.size()},
           {"joined_gaps", repairs_part(r.joined_gaps)},
@@ -156,10 +127,7 @@ Json trees(const std::vector<CSCD::Tree_measures>& trees)
 {
   Json result = Json::array();
   for (const CSCD::Tree_measures& tree : trees) {
-    result.push_back({{"height", tree.height},
-                      {"length", tree.length},
-                      {"volume", tree.volume},
-                      {"trunk_volume", tree.trunk_volume},
+    result.push_back({CSCD_JSON_PAIRS(tree, height, length, volume, trunk_volume),
                       {"diameter_at_breast_height", CSCD::internal::json_number(tree.diameter_at_breast_height)}});
   }
   return result;
@@ -170,15 +138,8 @@ Json limbs(const CSCD::Tree_report& r)
   Json result = Json::array();
   for (const CSCD::Tree_branch& branch : r.branches) {
     result.push_back({{"parent", branch.parent == CSCD::no_branch ? Json() : Json(branch.parent)},
-                      {"object", branch.object},
-                      {"order", branch.order},
-                      {"strahler_order", branch.strahler_order},
-                      {"length", branch.length},
-                      {"radius_at_base", branch.radius_at_base},
-                      {"radius_at_tip", branch.radius_at_tip},
-                      {"number_of_sections", branch.number_of_sections},
-                      {"number_of_circles", branch.number_of_circles},
-                      {"nodes", branch.nodes}});
+                      CSCD_JSON_PAIRS(branch, object, order, strahler_order, length, radius_at_base, radius_at_tip,
+                                      number_of_sections, number_of_circles, nodes)});
   }
   return result;
 }
@@ -187,7 +148,7 @@ Json gaps(const CSCD::Tree_report& r)
 {
   Json result = Json::array();
   for (const CSCD::Tree_gap& gap : r.gaps) {
-    result.push_back({{"from", gap.from}, {"to", gap.to}, {"length", gap.length}});
+    result.push_back({CSCD_JSON_PAIRS(gap, from, to, length)});
   }
   return result;
 }
@@ -205,21 +166,15 @@ Json options_part(Skeletonize_options options)
   return result;
 }
 
-Json tree_document(const Skeletonize_options& options, const Run_report& result)
+Json tree_document(const Skeletonize_options& options, const Skeletonization_result& result)
 {
   const CSCD::Tree_report& r = *result.tree;
   return {{"version", CSCD_VERSION},
           {"input", options.input},
           {"method", tree_shape},
           {"options", options_part(options)},
-          {"number_of_points", r.number_of_points},
-          {"number_of_duplicates", r.number_of_duplicates},
-          {"number_of_thinned_points", r.number_of_thinned_points},
-          {"number_of_debris", r.number_of_debris},
-          {"number_of_objects", r.number_of_objects},
-          {"spacing", r.spacing},
-          {"number_of_nodes", r.number_of_nodes},
-          {"number_of_edges", r.number_of_edges},
+          CSCD_JSON_PAIRS(r, number_of_points, number_of_duplicates, number_of_thinned_points, number_of_debris,
+                          number_of_objects, spacing, number_of_nodes, number_of_edges),
           {"number_of_branches", result.branches.branches.size()},
           {"number_of_limbs", r.branches.size()},
           {"number_of_sections", sections(r)},
@@ -228,11 +183,10 @@ Json tree_document(const Skeletonize_options& options, const Run_report& result)
           {"limbs", limbs(r)},
           {"branches", CSCD::internal::json_branches(result.branches.branches)},
           {"gaps", gaps(r)},
-          {"seconds", r.seconds},
-          {"warnings", r.warnings}};
+          CSCD_JSON_PAIRS(r, seconds, warnings)};
 }
 
-void write_tree_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result)
+void write_tree_summary(std::ostream& out, const Skeletonize_options& options, const Skeletonization_result& result)
 {
   const CSCD::Tree_report& report = *result.tree;
   constexpr int digits = 3; // of the time
@@ -256,10 +210,8 @@ void write_tree_summary(std::ostream& out, const Skeletonize_options& options, c
   out << "\ntime: " << std::fixed << std::setprecision(digits) << report.seconds << " s\n";
 }
 
-} // namespace
-
 Json report_document(const Skeletonize_options& options, const std::vector<std::string>& repairs,
-                     const Run_report& result)
+                     const Skeletonization_result& result)
 {
   if (result.tree) {
     return tree_document(options, result);
@@ -292,8 +244,7 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   if (result.volume) {
     document["volume"] = {{"label", result.volume->label},
                           {"connectivity", options.volume.connectivity},
-                          {"number_of_voxels", result.volume->number_of_voxels},
-                          {"number_of_cavities", result.volume->number_of_cavities},
+                          CSCD_JSON_PAIRS((*result.volume), number_of_voxels, number_of_cavities),
                           {"are_cavities_kept", options.volume.keeps_cavities}};
   }
   if (report.reconstruction) {
@@ -306,13 +257,19 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   }
   document["branches"] = CSCD::internal::json_branches(result.branches.branches);
   document["openings"] = Json::array();
-  for (const Opening& opening : result.openings) {
-    document["openings"].push_back({{"node", opening.node}, {"center", opening.center}, {"radius", opening.radius}});
+  for (std::size_t node = 0; node < result.skeleton.is_opening.size(); ++node) {
+    if (result.skeleton.is_opening[node] != 0) {
+      const CSCD::Vector_3& point = result.skeleton.points[node];
+      document["openings"].push_back(
+          {{"node", node}, {"center", {point.x(), point.y(), point.z()}}, {"radius", result.skeleton.radii[node]}});
+    }
   }
   document["seconds"] = by_stage(report.seconds);
   document["warnings"] = report.warnings;
   return document;
 }
+
+} // namespace
 
 std::string dump_json(const Json& json)
 {
@@ -321,12 +278,12 @@ std::string dump_json(const Json& json)
 }
 
 void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
-                  const Run_report& result)
+                  const Skeletonization_result& result)
 {
   out << dump_json(report_document(options, repairs, result)) << '\n';
 }
 
-void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result)
+void write_summary(std::ostream& out, const Skeletonize_options& options, const Skeletonization_result& result)
 {
   if (result.tree) {
     write_tree_summary(out, options, result);
@@ -347,11 +304,18 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   if (report.genus) {
     out << ", genus " << *report.genus;
   }
-  out << "\nskeleton: " << counted(report.number_of_nodes, "node") << ", " << counted(report.number_of_edges, "edge")
-      << ", " << counted(report.number_of_skeleton_components, "component") << ", "
-      << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
-      << counted(report.number_of_junctions, "junction") << "\ntime: " << std::fixed << std::setprecision(digits)
+  const CSCD::Skeleton_counts counts{
+      report.number_of_nodes, report.number_of_edges, report.number_of_skeleton_components,
+      report.betti_number,    report.number_of_tips,  report.number_of_junctions};
+  out << "\nskeleton: " << in_words(counts) << "\ntime: " << std::fixed << std::setprecision(digits)
       << sum(report.seconds) << " s on " << counted(report.number_of_threads, "thread") << '\n';
+}
+
+std::string in_words(const CSCD::Skeleton_counts& counts)
+{
+  return counted(counts.number_of_nodes, "node") + ", " + counted(counts.number_of_edges, "edge") + ", " +
+         counted(counts.number_of_components, "component") + ", " + counted(counts.betti_number, "cycle") + ", " +
+         counted(counts.number_of_tips, "tip") + ", " + counted(counts.number_of_junctions, "junction");
 }
 
 std::string printable(const std::string& text)

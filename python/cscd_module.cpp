@@ -4,7 +4,6 @@
 // The compiled part of the Python module: between NumPy's arrays and the commands of the program. The public interface
 // is in cscd/__init__.py.
 
-#include "compute_skeleton.h"
 #include "options.h"
 #include "types.h"
 #include "write_report.h"
@@ -75,7 +74,7 @@ std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string
   const auto value = rows.unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     const CSCD::Vector_3 point(value(i, 0), value(i, 1), value(i, 2));
-    if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
+    if (!point.allFinite()) {
       throw CSCD::Input_error(name + ": row " + std::to_string(i) +
                               ": a coordinate is not finite; correct or remove this row");
     }
@@ -133,26 +132,14 @@ cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& 
   return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
 
-/// The mesh of polygons, repaired as the program repairs them; it has kept the points of the arrays.
-cscd::Input make_mesh(CSCD::Shape_file&& soup, unsigned number_of_threads)
+/// The mesh of polygons, repaired as the program repairs them, which has kept the points of the arrays; or the points.
+cscd::Input make_input(CSCD::Shape_file&& soup, unsigned number_of_threads)
 {
   constexpr bool is_quiet = true;
   constexpr bool keeps_file = false; // only its points are needed
   std::vector<CSCD::Vector_3> points = soup.points;
   cscd::Input result = cscd::to_input(std::move(soup), "mesh", is_quiet, keeps_file, number_of_threads);
   result.as_read.points = std::move(points);
-  return result;
-}
-
-cscd::Input make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals)
-{
-  cscd::Input result;
-  result.is_point_set = true;
-  result.points = to_points(points, "V");
-  result.number_of_points = result.points.size();
-  if (normals) {
-    result.normals = to_points(*normals, "normals");
-  }
   return result;
 }
 
@@ -272,14 +259,15 @@ Python_skeleton skeletonize(const Coordinates& points, const std::optional<Corne
   std::optional<CSCD::Shape_file> soup;
   if (options.domain == cscd::graph_domain) {
     *input = make_graph(points, corners, edges, options.number_of_neighbors);
-  } else if (corners) {
-    soup = to_soup(points, corners);
   } else {
-    *input = make_point_set(points, normals);
+    soup = to_soup(points, corners);
+    if (normals) {
+      soup->normals = to_points(*normals, "normals");
+    }
   }
   const py::gil_scoped_release release;
   if (soup) {
-    *input = make_mesh(std::move(*soup), options.number_of_threads);
+    *input = make_input(std::move(*soup), options.number_of_threads);
   }
   options.input = name_of(*input);
   options.is_quiet = true;
@@ -333,21 +321,14 @@ CSCD::internal::Skeletonized_surface skeletonized_surface(const Python_skeleton&
     throw cscd::Usage_error(
         "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
   }
-  const CSCD::internal::Assigned_surface surface = cscd::assigned_surface(input, skeleton.skeleton());
-  return CSCD::internal::make_skeletonized_surface(surface.points, surface.triangles, skeleton.skeleton(),
-                                                   surface.node_of_vertex);
+  return CSCD::internal::make_skeletonized_surface(cscd::assigned_surface(input, skeleton.skeleton()),
+                                                   skeleton.skeleton());
 }
 
 std::vector<double> shape_diameters(const Python_skeleton& skeleton)
 {
-  const CSCD::internal::Skeletonized_surface surface = skeletonized_surface(skeleton);
-  const std::vector<double> values =
-      CSCD::internal::vertex_shape_diameters(surface, CSCD::default_number_of_diameter_smoothing_steps);
-  std::vector<double> result(skeleton.input().points.size(), 0.); // of vertices without a face
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    result[surface.number[v]] = values[v];
-  }
-  return result;
+  return CSCD::internal::shape_diameters(skeletonized_surface(skeleton), skeleton.input().points.size(),
+                                         CSCD::default_number_of_diameter_smoothing_steps);
 }
 
 std::vector<Index> segment(const Python_skeleton& skeleton, std::size_t number_of_parts)
@@ -371,23 +352,25 @@ py::list find_loops(const Coordinates& points, const Corners& corners, unsigned 
   std::vector<CSCD::Surface_loop<CSCD::Vector_3>> loops;
   {
     const py::gil_scoped_release release;
-    cscd::Input mesh = make_mesh(std::move(soup), 0);
+    cscd::Input mesh = make_input(std::move(soup), 0);
     loops = CSCD::internal::find_surface_loops(std::move(mesh.points), std::move(mesh.faces), seed, min_depth);
   }
-  constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
   py::list result;
   for (const CSCD::Surface_loop<CSCD::Vector_3>& loop : loops) {
-    result.append(py::make_tuple(names[static_cast<std::size_t>(loop.kind)], loop.length, loop.depth,
-                                 rows_or_none<double>(loop.points)));
+    result.append(py::make_tuple(name(loop.kind), loop.length, loop.depth, rows_or_none<double>(loop.points)));
   }
   return result;
 }
 
-/// An array that refers to memory of `owner`, for reading.
-template <class Value>
-py::array view(const py::object& owner, const Value* values, std::vector<py::ssize_t> shape)
+/// An array that refers to the memory of `rows`, which `owner` has, for reading.
+template <class Value, class Row>
+py::array view(const py::object& owner, const std::vector<Row>& rows)
 {
-  py::array result(py::dtype::of<Value>(), std::move(shape), values, owner);
+  std::vector<py::ssize_t> shape{py::ssize_t(rows.size())};
+  if (sizeof(Row) > sizeof(Value)) {
+    shape.push_back(sizeof(Row) / sizeof(Value));
+  }
+  py::array result(py::dtype::of<Value>(), std::move(shape), reinterpret_cast<const Value*>(rows.data()), owner);
   result.attr("setflags")("write"_a = false);
   return result;
 }
@@ -395,29 +378,22 @@ py::array view(const py::object& owner, const Value* values, std::vector<py::ssi
 /// The arrays of a skeleton, without a copy: each keeps the skeleton alive.
 void define_arrays(py::class_<Python_skeleton>& type)
 {
-  const auto skeleton_of = [](const py::object& self) -> const Python_skeleton& {
-    return self.cast<const Python_skeleton&>();
+  const auto define = [&type](const char* name, auto value, const auto& rows_of) {
+    type.def_property_readonly(name, [rows_of](const py::object& self) {
+      return view<decltype(value)>(self, rows_of(self.cast<const Python_skeleton&>()));
+    });
   };
-  type.def_property_readonly("nodes", [skeleton_of](const py::object& self) {
-    const auto& points = skeleton_of(self).skeleton().points;
-    return view(self, reinterpret_cast<const double*>(points.data()), {py::ssize_t(points.size()), 3});
-  });
-  type.def_property_readonly("radius", [skeleton_of](const py::object& self) {
-    const auto& radii = skeleton_of(self).skeleton().radii;
-    return view(self, radii.data(), {py::ssize_t(radii.size())});
-  });
-  type.def_property_readonly("edges", [skeleton_of](const py::object& self) {
-    const auto& edges = skeleton_of(self).skeleton().edges;
-    return view(self, reinterpret_cast<const Signed_index*>(edges.data()), {py::ssize_t(edges.size()), 2});
-  });
-  type.def_property_readonly("significance", [skeleton_of](const py::object& self) {
-    const auto& significances = skeleton_of(self).skeleton().significance;
-    return view(self, significances.data(), {py::ssize_t(significances.size())});
-  });
-  type.def_property_readonly("vertex_to_node", [skeleton_of](const py::object& self) {
-    const auto& nodes = skeleton_of(self).nodes_of_vertices();
-    return view(self, nodes.data(), {py::ssize_t(nodes.size())});
-  });
+  using Python = const Python_skeleton&;
+  define(
+      "nodes", 0., [](Python self) -> const auto& { return self.skeleton().points; });
+  define(
+      "radius", 0., [](Python self) -> const auto& { return self.skeleton().radii; });
+  define(
+      "edges", Signed_index(0), [](Python self) -> const auto& { return self.skeleton().edges; });
+  define(
+      "significance", 0., [](Python self) -> const auto& { return self.skeleton().significance; });
+  define(
+      "vertex_to_node", Signed_index(0), [](Python self) -> const auto& { return self.nodes_of_vertices(); });
 }
 
 /// The corners of the polygons, a row each, padded with -1 to the length of the longest.
@@ -442,7 +418,8 @@ py::tuple read_file(const std::string& filename)
   CSCD::Shape_file shape;
   {
     const py::gil_scoped_release release;
-    shape = CSCD::internal::read_shape(CSCD::internal::read_content(filename), filename, filename);
+    shape = CSCD::internal::parse_shape(CSCD::internal::read_content(filename), filename, filename,
+                                        CSCD::internal::any_content);
   }
   return py::make_tuple(rows_or_none<double>(shape.points),
                         shape.number_of_polygons() > 0 ? polygons_of(shape) : py::none(),

@@ -5,7 +5,6 @@
 // skeleton can be saved in many formats. Files are in Emscripten's memory; messages go to standard error, as in the
 // program.
 
-#include "compute_skeleton.h"
 #include "options.h"
 #include "types.h"
 #include <CSCD/IO/write_correspondence.h>

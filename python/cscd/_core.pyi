@@ -39,24 +39,7 @@ class Skeleton:
     def save(self, filename: str) -> None: ...
     def shape_diameters(self) -> list[float]: ...
     def segment(self, parts: int) -> list[int]: ...
-    def branches(
-        self,
-    ) -> list[
-        tuple[
-            list[int],
-            tuple[str, str],
-            float,
-            float,
-            float,
-            float,
-            float,
-            float,
-            float,
-            float,
-            int | None,
-            int | None,
-        ]
-    ]: ...
+    def branches(self) -> list[tuple[typing.Any, ...]]: ...  # the fields of Branch
 
 def find_loops(
     V: npt.NDArray[np.float64], F: npt.NDArray[np.int64], seed: int, min_depth: float

@@ -6,7 +6,6 @@
 #ifndef CSCD_SRC_APPLICATION_PART_MERGING_H
 #define CSCD_SRC_APPLICATION_PART_MERGING_H
 
-#include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/number_utils.h>
@@ -59,9 +58,6 @@ struct Slice_graph
   std::vector<Part_boundary> boundaries; ///< of the pairs of neighbors
   double area = 0;                       ///< of all slices
 };
-
-/// Cuts the surface into slices. Near linear. \param diameters of the faces
-Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters);
 
 /// The features of two neighboring parts. Of the two, the smaller one has less area.
 enum class Merge_feature

@@ -24,6 +24,9 @@
 
 namespace CSCD::internal {
 
+namespace {
+
+/// Averages values of the vertices along the surface: in each step, half of a value becomes the mean of the neighbors.
 void smooth_along_surface(const Skeletonized_surface& surface, std::size_t number_of_steps, std::vector<double>& values)
 {
   const std::size_t n = values.size();
@@ -44,24 +47,39 @@ void smooth_along_surface(const Skeletonized_surface& surface, std::size_t numbe
   }
 }
 
+/// The shape diameters of the vertices of the triangles.
 std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps)
 {
-  const std::size_t n = surface.node.size();
   const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
-  std::vector<double> diameters(n);
-  for (std::size_t v = 0; v < n; ++v) {
-    diameters[v] = 2 * distance_to_edges(surface.skeleton, neighbors, surface.node[v], surface.triangles.points[v]);
+  std::vector<double> diameters;
+  for (std::size_t v = 0; v < surface.node.size(); ++v) {
+    diameters.push_back(2 *
+                        distance_to_edges(surface.skeleton, neighbors, surface.node[v], surface.triangles.points[v]));
   }
   smooth_along_surface(surface, number_of_smoothing_steps, diameters);
   return diameters;
 }
 
-std::vector<double> face_means(const Skeletonized_surface& surface, const std::vector<double>& vertex_values)
+} // namespace
+
+std::vector<double> shape_diameters(const Skeletonized_surface& surface, std::size_t number,
+                                    std::size_t number_of_smoothing_steps)
 {
+  const std::vector<double> values = vertex_shape_diameters(surface, number_of_smoothing_steps);
+  std::vector<double> result(number, 0.);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    result[surface.number[v]] = values[v];
+  }
+  return result;
+}
+
+std::vector<double> face_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps)
+{
+  const std::vector<double> values = vertex_shape_diameters(surface, number_of_smoothing_steps);
   std::vector<double> means;
   means.reserve(surface.triangles.faces.size());
   for (const auto& [a, b, c] : surface.triangles.faces) {
-    means.push_back((vertex_values[a] + vertex_values[b] + vertex_values[c]) / 3);
+    means.push_back((values[a] + values[b] + values[c]) / 3);
   }
   return means;
 }
@@ -121,7 +139,7 @@ private:
   const Skeletonized_surface& m_surface;
 };
 
-/// Cuts a surface into slices and measures their boundaries.
+/// Cuts a surface into slices and measures their boundaries. Near linear.
 class Slice_cutting
 {
 public:
@@ -329,11 +347,6 @@ private:
   std::vector<std::vector<Index>> m_inner_edges; // of each slice
 };
 
-Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters)
-{
-  return Slice_cutting(surface, diameters).release();
-}
-
 /// \name Weights of the score of two parts
 /// Fitted by logistic regression to the segmentations by people of the odd-numbered meshes of the Princeton benchmark;
 /// see `doc/applications.md`.
@@ -403,9 +416,8 @@ void number_parts(std::vector<Index>& parts)
 
 std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts)
 {
-  const std::vector<double> diameters =
-      face_means(surface, vertex_shape_diameters(surface, default_number_of_diameter_smoothing_steps));
-  const Slice_graph graph = cut_into_slices(surface, diameters);
+  const std::vector<double> diameters = face_shape_diameters(surface, default_number_of_diameter_smoothing_steps);
+  const Slice_graph graph = Slice_cutting(surface, diameters).release();
   Part_merging merging(graph);
   merging.run(number_of_parts);
   const std::vector<Index> part_of_slices = merging.part_of_slices();

@@ -18,17 +18,11 @@
 
 namespace CSCD::internal {
 
-/// The part of a file that is read. The rest is passed over: faults there do not matter, and it takes no memory.
-enum class Wanted
-{
-  surface,  ///< points, normals and polygons
-  skeleton, ///< points, radii, openings and lines
-  all
-};
-
 /// \param filename for messages
+/// \param contents that are read: points, normals and polygons for a mesh or points; points, radii, openings and lines for
+///        a skeleton. The rest is passed over: faults there do not matter, and it takes no memory
 /// \throw File_error if `content` is malformed, or holds faces where lines are wanted
-using Parser = Shape_file(std::string_view content, const std::string& filename, Wanted wanted);
+using Parser = Shape_file(std::string_view content, const std::string& filename, unsigned contents);
 
 // Meshes; some of these formats also hold points alone, or skeletons.
 Parser parse_off;
@@ -81,14 +75,6 @@ inline void check_corners(const Shape_file& shape, const std::string& filename)
     }
   }
 }
-
-/// \name Contents of files, to be joined by `|`
-/// @{
-inline constexpr unsigned mesh_content = 1;
-inline constexpr unsigned point_content = 2;
-inline constexpr unsigned skeleton_content = 4;
-inline constexpr unsigned any_content = mesh_content | point_content | skeleton_content;
-/// @}
 
 /// The meaning of an ending of file names.
 struct File_format

@@ -416,7 +416,7 @@ private:
 
 } // namespace
 
-Shape_file parse_gltf(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_gltf(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   return Gltf_parser(content, filename).parse();
 }

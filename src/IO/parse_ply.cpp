@@ -68,8 +68,8 @@ Number_type ply_type(std::string_view name)
 class Ply_parser
 {
 public:
-  Ply_parser(std::string_view content, const std::string& filename, Wanted wanted)
-      : m_scanner(content, filename), m_filename(filename), m_wanted(wanted)
+  Ply_parser(std::string_view content, const std::string& filename, unsigned contents)
+      : m_scanner(content, filename), m_filename(filename), m_contents(contents)
   {
   }
 
@@ -85,16 +85,16 @@ public:
       has_edges = has_edges || is_edge;
       if (element.is_called("vertex", "vertices")) {
         read_points(element);
-      } else if (is_face && m_wanted != Wanted::skeleton) {
+      } else if (is_face && m_contents != skeleton_content) {
         read_polygons(element);
-      } else if (is_edge && m_wanted != Wanted::surface) {
+      } else if (is_edge && (m_contents & skeleton_content) != 0) {
         read_edges(element);
       } else {
         read_items(
             element, [](std::size_t, const Ply_property&, std::size_t, double) {}, [](std::size_t) {});
       }
     }
-    if (m_wanted == Wanted::skeleton && has_faces && !has_edges) {
+    if (m_contents == skeleton_content && has_faces && !has_edges) {
       fail_without_lines(m_filename);
     }
     check_corners(m_shape, m_filename);
@@ -237,9 +237,9 @@ private:
     constexpr std::size_t size = 7;
     const Names names{"x", "y", "z", "nx", "ny", "nz", "radius"};
     check_properties(element, {"x", "y", "z"});
-    const bool has_normals = m_wanted != Wanted::skeleton && element.has_number("nx") && element.has_number("ny") &&
+    const bool has_normals = m_contents != skeleton_content && element.has_number("nx") && element.has_number("ny") &&
                              element.has_number("nz");
-    const bool has_radii = m_wanted != Wanted::surface && element.has_number("radius");
+    const bool has_radii = (m_contents & skeleton_content) != 0 && element.has_number("radius");
     const std::size_t first = m_shape.points.size();
     const std::vector<std::size_t> places = find_places(element, names);
     if (!has_normals && !has_radii && read_point_records(element, places)) {
@@ -373,15 +373,15 @@ private:
   std::optional<Byte_scanner> m_bytes; ///< behind the header, if the file is binary
   std::string m_filename;
   std::vector<Ply_element> m_elements;
-  Wanted m_wanted;
+  unsigned m_contents;
   Shape_file m_shape;
 };
 
 } // namespace
 
-Shape_file parse_ply(std::string_view content, const std::string& filename, Wanted wanted)
+Shape_file parse_ply(std::string_view content, const std::string& filename, unsigned contents)
 {
-  return Ply_parser(content, filename, wanted).parse();
+  return Ply_parser(content, filename, contents).parse();
 }
 
 } // namespace CSCD::internal

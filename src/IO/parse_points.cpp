@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -140,254 +139,205 @@ Point_columns find_columns(std::string_view text)
   return columns;
 }
 
-/// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
-/// number of points before the first one and further columns are passed over. Normals are kept if every line has one.
-/// \throw File_error if a line has no coordinates, or the table has no points
-class Point_table_parser
+/// The number that is all of a field of a table.
+std::optional<double> to_number(std::string_view field)
 {
-public:
-  Point_table_parser(std::string_view text, const Point_columns& columns, const std::string& filename)
-      : m_scanner(text, filename), m_columns(columns), m_filename(filename), m_has_normals(columns.has_normals())
-  {
-  }
+  field.remove_prefix(field.substr(0, 1) == "+" ? 1 : 0);
+  const char* const end = field.data() + field.size();
+  double value = 0;
+  return Text_scanner::read_number(field.data(), end, value) == end ? std::optional<double>(value) : std::nullopt;
+}
 
-  Shape_file parse()
-  {
-    bool is_first_line = true;
-    while (m_scanner.skip_blanks()) {
-      const bool is_comment = m_scanner.is_at("#") || m_scanner.is_at("//");
-      const bool is_header = std::exchange(is_first_line, is_first_line && is_comment) && !is_number_next();
-      if (!is_header && !is_comment) {
-        const std::string_view rest = m_scanner.rest();
-        split_fields(rest.substr(0, rest.find('\n')), m_columns.separator, m_fields);
-        read_line(m_fields);
-      }
-      m_scanner.skip_line();
-    }
-    if (!m_has_normals) {
-      m_shape.normals.clear();
-    }
-    check_number_of_points(m_shape.points.size(), m_filename);
-    return std::move(m_shape);
-  }
-
-private:
-  bool is_number_next() const
-  {
-    Text_scanner ahead = m_scanner;
-    ahead.skip_character('"');
-    return ahead.is_at_number();
-  }
-
-  void read_line(const std::vector<std::string_view>& fields)
-  {
-    if (fields.size() == 1 && m_shape.points.empty()) {
-      return; // the number of points
-    }
-    Vector_3 point;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (m_columns.places[i] >= fields.size()) {
-        m_scanner.fail("a point has fewer than three coordinates");
-      }
-      const std::optional<double> number = to_number(fields[m_columns.places[i]]);
-      if (!number) {
-        m_scanner.fail(Text_scanner::number_expected);
-      }
-      if (!std::isfinite(*number)) {
-        m_scanner.fail("a coordinate is not finite", "correct or remove this line");
-      }
-      point[i] = *number;
-    }
-    m_shape.points.push_back(point);
-    for (std::size_t i = 3; m_has_normals && i < 6; ++i) {
-      const std::size_t place = m_columns.places[i];
-      const std::optional<double> number = place < fields.size() ? to_number(fields[place]) : std::nullopt;
-      m_has_normals = number.has_value();
-      m_normal[i - 3] = number.value_or(0);
-    }
-    if (m_has_normals) {
-      m_shape.normals.push_back(m_normal);
-    }
-  }
-
-  static std::optional<double> to_number(std::string_view field)
-  {
-    field.remove_prefix(field.substr(0, 1) == "+" ? 1 : 0);
-    const char* const end = field.data() + field.size();
-    double value = 0;
-    return Text_scanner::read_number(field.data(), end, value) == end ? std::optional<double>(value) : std::nullopt;
-  }
-
-  Text_scanner m_scanner;
-  Point_columns m_columns;
-  std::string m_filename;
-  bool m_has_normals;
-  std::vector<std::string_view> m_fields; ///< of a line
-  Vector_3 m_normal;
-  Shape_file m_shape;
+/// A field of the points of a file.
+struct Pcd_field
+{
+  std::string name;
+  Number_type type{'f', 4};
+  std::size_t count = 1; ///< numbers of the field at each point
 };
 
-/// Reads PCD of the Point Cloud Library, ASCII or binary. Points that are not finite, which stand for missing
-/// measurements, are left out.
-class Pcd_parser
+struct Pcd_header
 {
-public:
-  Pcd_parser(std::string_view text, const std::string& filename) : m_scanner(text, filename), m_filename(filename) {}
+  /// The places of these among the fields; the last three are the number of fields if normals are missing.
+  std::array<std::size_t, 6> places{};
+  std::vector<Pcd_field> fields;
+  std::size_t size_of_point = 0;
+  std::size_t number_of_points = 0;
+  std::string encoding;
 
-  Shape_file parse()
-  {
-    read_header();
-    if (m_encoding == "ascii") {
-      read_text();
-    } else if (m_encoding == "binary") {
-      read_binary(m_scanner.rest());
-    } else {
-      m_scanner.fail("DATA is neither ascii nor binary",
-                     "write the file as DATA binary, as by `pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1`");
-    }
-    return std::move(m_shape);
-  }
-
-private:
-  static constexpr const char* remedy = "write the file again";
-
-  struct Field
-  {
-    std::string name;
-    Number_type type{'f', 4};
-    std::size_t count = 1; ///< numbers of the field at each point
-  };
-
-  void read_header()
-  {
-    while (m_encoding.empty()) {
-      m_scanner.expect("the keyword DATA", '#');
-      const std::string keyword(m_scanner.word());
-      if (keyword == "FIELDS") {
-        while (m_scanner.skip_blanks_in_line()) {
-          m_fields.push_back({std::string(m_scanner.word())});
-        }
-      } else if (keyword == "SIZE" || keyword == "COUNT" || keyword == "TYPE") {
-        for (std::size_t i = 0; i < m_fields.size() && m_scanner.skip_blanks_in_line(); ++i) {
-          read_property(keyword, m_fields[i]);
-        }
-      } else if (keyword == "POINTS") {
-        m_number_of_points = m_scanner.skip_blanks_in_line() ? m_scanner.count("the number of points") : 0;
-      } else if (keyword == "DATA") {
-        m_encoding = m_scanner.skip_blanks_in_line() ? std::string(m_scanner.word()) : "none";
-      }
-      m_scanner.skip_line();
-    }
-    check_fields();
-    check_number_of_points(m_number_of_points, m_filename);
-  }
-
-  void read_property(const std::string& keyword, Field& field)
-  {
-    if (keyword == "TYPE") {
-      const std::string_view type = m_scanner.word();
-      field.type.kind = type == "I" ? 'i' : type == "U" ? 'u' : 'f';
-    } else {
-      (keyword == "SIZE" ? field.type.size : field.count) = m_scanner.count("the size of a field");
-    }
-  }
-
-  void check_fields()
-  {
-    constexpr std::size_t max_count = 1U << 20U; // bounds the size of a point
-    for (std::size_t i = 0; i < m_fields.size(); ++i) {
-      if (!m_fields[i].type.is_valid() || m_fields[i].count > max_count) {
-        m_scanner.fail("a field has an unknown type or size", remedy);
-      }
-      m_field_of.emplace(m_fields[i].name, i);
-      m_size_of_point += m_fields[i].count * m_fields[i].type.size;
-    }
-    for (const char* name : {"x", "y", "z"}) {
-      if (m_field_of.count(name) == 0 || m_fields[m_field_of[name]].count != 1) {
-        m_scanner.fail("the field " + std::string(name) + " is missing", remedy);
-      }
-    }
-    m_has_normals = m_field_of.count("normal_x") + m_field_of.count("normal_y") + m_field_of.count("normal_z") == 3;
-  }
-
-  void add(const std::vector<double>& numbers)
-  {
-    const auto vector = [&](const char* x, const char* y, const char* z) {
-      return Vector_3(numbers[m_field_of[x]], numbers[m_field_of[y]], numbers[m_field_of[z]]);
-    };
-    const Vector_3 point = vector("x", "y", "z");
-    if (point.allFinite()) {
-      m_shape.points.push_back(point);
-      if (m_has_normals) {
-        const Vector_3 normal = vector("normal_x", "normal_y", "normal_z");
-        m_shape.normals.push_back(normal.allFinite() ? normal : Vector_3::Zero());
-      }
-    }
-  }
-
-  void read_text()
-  {
-    std::vector<double> numbers(m_fields.size());
-    for (std::size_t point = 0; point < m_number_of_points; ++point) {
-      for (std::size_t f = 0; f < m_fields.size(); ++f) {
-        for (std::size_t i = 0; i < m_fields[f].count; ++i) {
-          if (!m_scanner.skip_blanks()) {
-            m_scanner.fail_at_end("point " + std::to_string(point) + " of " + std::to_string(m_number_of_points));
-          }
-          numbers[f] = m_scanner.number();
-        }
-      }
-      add(numbers);
-    }
-  }
-
-  void read_binary(std::string_view bytes)
-  {
-    if (m_number_of_points > bytes.size() / m_size_of_point) {
-      m_scanner.fail_at_end("all of its " + std::to_string(m_number_of_points) + " points");
-    }
-    std::vector<Number_view> columns;
-    std::size_t offset = 0;
-    for (const Field& field : m_fields) {
-      columns.push_back({bytes.data() + offset, field.type, Byte_order::little, m_size_of_point, m_number_of_points});
-      offset += field.count * field.type.size;
-    }
-    std::vector<double> numbers(m_fields.size());
-    for (std::size_t point = 0; point < m_number_of_points; ++point) {
-      for (std::size_t f = 0; f < m_fields.size(); ++f) {
-        numbers[f] = m_fields[f].count == 1 ? columns[f][point] : 0;
-      }
-      add(numbers);
-    }
-  }
-
-  Text_scanner m_scanner;
-  std::string m_filename;
-  std::vector<Field> m_fields;
-  std::map<std::string, std::size_t> m_field_of;
-  std::size_t m_size_of_point = 0;
-  std::size_t m_number_of_points = 0;
-  bool m_has_normals = false;
-  std::string m_encoding;
-  Shape_file m_shape;
+  bool has_normals() const { return *std::max_element(places.begin(), places.end()) < fields.size(); }
 };
+
+/// Finds the fields of coordinates and normals, and the size of a point.
+void check_pcd_fields(const Text_scanner& scanner, Pcd_header& header)
+{
+  constexpr const char* remedy = "write the file again";
+  constexpr std::size_t max_count = 1U << 20U; // bounds the size of a point
+  for (const Pcd_field& field : header.fields) {
+    if (!field.type.is_valid() || field.count > max_count) {
+      scanner.fail("a field has an unknown type or size", remedy);
+    }
+    header.size_of_point += field.count * field.type.size;
+  }
+  constexpr std::array<const char*, 6> names{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto place = std::find_if(header.fields.begin(), header.fields.end(),
+                                    [&](const Pcd_field& field) { return field.name == names[k]; });
+    header.places[k] = std::size_t(place - header.fields.begin());
+    if (k < 3 && (place == header.fields.end() || place->count != 1)) {
+      scanner.fail("the field " + std::string(names[k]) + " is missing", remedy);
+    }
+  }
+}
+
+Pcd_header read_pcd_header(Text_scanner& scanner)
+{
+  Pcd_header header;
+  while (header.encoding.empty()) {
+    scanner.expect("the keyword DATA", '#');
+    const std::string keyword(scanner.word());
+    if (keyword == "FIELDS") {
+      while (scanner.skip_blanks_in_line()) {
+        header.fields.push_back({std::string(scanner.word())});
+      }
+    } else if (keyword == "SIZE" || keyword == "COUNT" || keyword == "TYPE") {
+      for (auto field = header.fields.begin(); field != header.fields.end() && scanner.skip_blanks_in_line(); ++field) {
+        if (keyword == "TYPE") {
+          const std::string_view type = scanner.word();
+          field->type.kind = type == "I" ? 'i' : type == "U" ? 'u' : 'f';
+        } else {
+          (keyword == "SIZE" ? field->type.size : field->count) = scanner.count("the size of a field");
+        }
+      }
+    } else if (keyword == "POINTS") {
+      header.number_of_points = scanner.skip_blanks_in_line() ? scanner.count("the number of points") : 0;
+    } else if (keyword == "DATA") {
+      header.encoding = scanner.skip_blanks_in_line() ? std::string(scanner.word()) : "none";
+    }
+    scanner.skip_line();
+  }
+  check_pcd_fields(scanner, header);
+  return header;
+}
 
 } // namespace
 
-Shape_file parse_point_table(std::string_view content, const std::string& filename, Wanted /* wanted */)
+/// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
+/// number of points before the first one and further columns are passed over. Normals are kept if every line has one.
+Shape_file parse_point_table(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
-  Shape_file shape = Point_table_parser(content, find_columns(content), filename).parse();
+  const Point_columns columns = find_columns(content);
+  Text_scanner scanner(content, filename);
+  Shape_file shape;
+  bool has_normals = columns.has_normals();
+  const auto add_point = [&](const std::vector<std::string_view>& fields) {
+    Vector_3 point;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (columns.places[i] >= fields.size()) {
+        scanner.fail("a point has fewer than three coordinates");
+      }
+      const std::optional<double> number = to_number(fields[columns.places[i]]);
+      if (!number) {
+        scanner.fail(Text_scanner::number_expected);
+      }
+      if (!std::isfinite(*number)) {
+        scanner.fail("a coordinate is not finite", "correct or remove this line");
+      }
+      point[i] = *number;
+    }
+    shape.points.push_back(point);
+    Vector_3 normal;
+    for (std::size_t i = 3; has_normals && i < 6; ++i) {
+      const std::size_t place = columns.places[i];
+      const std::optional<double> number = place < fields.size() ? to_number(fields[place]) : std::nullopt;
+      has_normals = number.has_value();
+      normal[i - 3] = number.value_or(0);
+    }
+    if (has_normals) {
+      shape.normals.push_back(normal);
+    }
+  };
+  const auto is_at_word = [&] {
+    Text_scanner ahead = scanner;
+    ahead.skip_character('"');
+    return !ahead.is_at_number();
+  };
+  bool is_first_line = true;
+  std::vector<std::string_view> fields; // of a line
+  while (scanner.skip_blanks()) {
+    const bool is_comment = scanner.is_at("#") || scanner.is_at("//");
+    const bool is_header = std::exchange(is_first_line, is_first_line && is_comment) && is_at_word();
+    if (!is_header && !is_comment) {
+      split_fields(scanner.rest().substr(0, scanner.rest().find('\n')), columns.separator, fields);
+      if (fields.size() != 1 || !shape.points.empty()) { // else it is the number of points
+        add_point(fields);
+      }
+    }
+    scanner.skip_line();
+  }
+  if (!has_normals) {
+    shape.normals.clear();
+  }
+  check_number_of_points(shape.points.size(), filename);
   keep_normals_only(shape);
   return shape;
 }
 
-Shape_file parse_pcd(std::string_view content, const std::string& filename, Wanted /* wanted */)
+/// Reads PCD of the Point Cloud Library, ASCII or binary. Points that are not finite, which stand for missing
+/// measurements, are left out.
+Shape_file parse_pcd(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
-  return Pcd_parser(content, filename).parse();
+  Text_scanner scanner(content, filename);
+  const Pcd_header header = read_pcd_header(scanner);
+  check_number_of_points(header.number_of_points, filename);
+  Shape_file shape;
+  std::vector<double> numbers(header.fields.size());
+  const auto add = [&] {
+    const auto vector = [&](std::size_t k) {
+      return Vector_3(numbers[header.places[k]], numbers[header.places[k + 1]], numbers[header.places[k + 2]]);
+    };
+    if (const Vector_3 point = vector(0); point.allFinite()) {
+      shape.points.push_back(point);
+      if (header.has_normals()) {
+        const Vector_3 normal = vector(3);
+        shape.normals.push_back(normal.allFinite() ? normal : Vector_3::Zero());
+      }
+    }
+  };
+  if (header.encoding == "ascii") {
+    for (std::size_t point = 0; point < header.number_of_points; ++point) {
+      for (std::size_t f = 0; f < numbers.size(); ++f) {
+        for (std::size_t i = 0; i < header.fields[f].count; ++i) {
+          if (!scanner.skip_blanks()) {
+            scanner.fail_at_end("point " + std::to_string(point) + " of " + std::to_string(header.number_of_points));
+          }
+          numbers[f] = scanner.number();
+        }
+      }
+      add();
+    }
+  } else if (header.encoding == "binary") {
+    if (header.number_of_points > scanner.remaining() / header.size_of_point) {
+      scanner.fail_at_end("all of its " + std::to_string(header.number_of_points) + " points");
+    }
+    Byte_scanner bytes(scanner.rest(), Byte_order::little, filename);
+    for (std::size_t point = 0; point < header.number_of_points; ++point) {
+      for (std::size_t f = 0; f < numbers.size(); ++f) {
+        const Pcd_field& field = header.fields[f];
+        const Number_view all = bytes.numbers(field.type, field.count);
+        numbers[f] = field.count == 1 ? all[0] : 0;
+      }
+      add();
+    }
+  } else {
+    scanner.fail("DATA is neither ascii nor binary",
+                 "write the file as DATA binary, as by `pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1`");
+  }
+  return shape;
 }
 
 /// Reads versions 1.0 to 1.4, not compressed.
-Shape_file parse_las(std::string_view content, const std::string& filename, Wanted /* wanted */)
+Shape_file parse_las(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
   // Offsets in the header, by the specification of the ASPRS.
   constexpr std::size_t header_size = 227;

@@ -38,7 +38,7 @@ Numbers to_vector(const Number_view& view)
 class Vtk_collector
 {
 public:
-  Vtk_collector(std::string filename, Wanted wanted) : m_filename(std::move(filename)), m_wanted(wanted) {}
+  Vtk_collector(std::string filename, unsigned contents) : m_filename(std::move(filename)), m_contents(contents) {}
 
   /// Whether an array at the points is of use. \param name in lower case
   static bool is_wanted(const std::string& name) { return name == radius || name == is_opening || name == normals; }
@@ -93,7 +93,7 @@ public:
 
   Shape_file finish()
   {
-    if (m_wanted == Wanted::skeleton && m_has_faces && !m_has_lines) {
+    if (m_contents == skeleton_content && m_has_faces && !m_has_lines) {
       fail_without_lines(m_filename);
     }
     m_shape.corners.insert(m_shape.corners.end(), m_strip_corners.begin(), m_strip_corners.end());
@@ -129,7 +129,7 @@ private:
 
   void add_cell(const std::string& kind, const std::vector<Index>& cell)
   {
-    const bool has_faces = m_wanted != Wanted::skeleton;
+    const bool has_faces = m_contents != skeleton_content;
     m_has_lines = m_has_lines || kind == "lines";
     if (kind == "polys" && has_faces) {
       m_shape.corners.insert(m_shape.corners.end(), cell.begin(), cell.end());
@@ -138,7 +138,7 @@ private:
       for (std::size_t i = 0; i + 2 < cell.size(); ++i) { // every other triangle is turned
         m_strip_corners.insert(m_strip_corners.end(), {cell[i], cell[i + 1 + i % 2], cell[i + 2 - i % 2]});
       }
-    } else if (kind == "lines" && m_wanted != Wanted::surface) {
+    } else if (kind == "lines" && (m_contents & skeleton_content) != 0) {
       for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
         m_shape.lines.push_back({cell[i], cell[i + 1]});
       }
@@ -153,7 +153,7 @@ private:
   }
 
   std::string m_filename;
-  Wanted m_wanted;
+  unsigned m_contents;
   Shape_file m_shape;
   std::map<std::string, Numbers> m_arrays;
   std::vector<Index> m_strip_corners; ///< of their triangles, which come behind all polygons
@@ -165,8 +165,8 @@ private:
 class Vtp_parser
 {
 public:
-  Vtp_parser(std::string_view text, const std::string& filename, Wanted wanted)
-      : m_text(text), m_filename(filename), m_xml(text, filename), m_collector(filename, wanted)
+  Vtp_parser(std::string_view text, const std::string& filename, unsigned contents)
+      : m_text(text), m_filename(filename), m_xml(text, filename), m_collector(filename, contents)
   {
   }
 
@@ -384,8 +384,8 @@ private:
 class Vtk_legacy_parser
 {
 public:
-  Vtk_legacy_parser(std::string_view text, const std::string& filename, Wanted wanted)
-      : m_filename(filename), m_scanner(text, filename), m_collector(filename, wanted)
+  Vtk_legacy_parser(std::string_view text, const std::string& filename, unsigned contents)
+      : m_filename(filename), m_scanner(text, filename), m_collector(filename, contents)
   {
   }
 
@@ -611,11 +611,11 @@ private:
 
 } // namespace
 
-Shape_file parse_vtk(std::string_view content, const std::string& filename, Wanted wanted)
+Shape_file parse_vtk(std::string_view content, const std::string& filename, unsigned contents)
 {
   constexpr std::string_view legacy = "# vtk DataFile";
-  return content.substr(0, legacy.size()) == legacy ? Vtk_legacy_parser(content, filename, wanted).parse()
-                                                    : Vtp_parser(content, filename, wanted).parse();
+  return content.substr(0, legacy.size()) == legacy ? Vtk_legacy_parser(content, filename, contents).parse()
+                                                    : Vtp_parser(content, filename, contents).parse();
 }
 
 } // namespace CSCD::internal

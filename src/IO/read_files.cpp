@@ -94,13 +94,23 @@ const File_format* find_format(const std::string& filename, unsigned contents)
   return found == formats.end() ? nullptr : found;
 }
 
-/// \param kind for messages
-const File_format& get_format(const std::string& filename, const char* kind, unsigned contents)
+/// The format that holds some of `contents` and that the ending of `filename` names. \throw File_error if there is none
+const File_format& get_format(const std::string& filename, unsigned contents)
 {
-  const File_format* const format = find_format(filename, contents);
+  const bool is_skeleton = contents == skeleton_content; // these are not compressed
+  const std::string plain = is_skeleton ? filename : without_compression_ending(filename);
+  const File_format* const format = find_format(plain, contents);
+  const auto list = [](unsigned kinds) { return boost::algorithm::join(endings(kinds), " "); };
+  if (format == nullptr && (contents == mesh_content || contents == point_content || is_skeleton)) {
+    fail_in_file(plain,
+                 contents == mesh_content ? "the ending names no known mesh format"
+                 : is_skeleton            ? "the ending names no known skeleton format"
+                                          : "the ending names no known format of points",
+                 "use one of " + list(contents));
+  }
   if (format == nullptr) {
-    fail_in_file(filename, std::string("the ending names no ") + kind,
-                 "use one of " + boost::algorithm::join(endings(contents), " "));
+    fail_in_file(filename, "the ending names no known format",
+                 "use one of " + list(mesh_content) + " for meshes, " + list(point_content) + " for points");
   }
   return *format;
 }
@@ -124,15 +134,6 @@ std::size_t remaining_size(std::istream& in)
   fail_in_file(name, "cannot be read to its end", "check the disk or the connection");
 }
 
-/// \throw File_error if `content` is empty, or malformed
-Shape_file parse(std::string_view content, const File_format& format, const std::string& filename, Wanted wanted)
-{
-  if (content.empty()) {
-    fail_in_file(filename, "the file is empty", "fetch or write it again");
-  }
-  return format.parse(content, filename, wanted);
-}
-
 void check_polygons(const Shape_file& shape, const std::string& filename)
 {
   if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
@@ -145,31 +146,6 @@ void check_points(const Shape_file& shape, const std::string& filename)
   if (shape.points.empty()) {
     fail_in_file(filename, "the file has no points", "fetch or write it again");
   }
-}
-
-/// The polygons, or the points, of a file. \param format names it by its ending
-Shape_file parse_polygons(std::string_view content, const std::string& format, const std::string& filename)
-{
-  Shape_file shape = parse(content, get_format(without_compression_ending(format), "known mesh format", mesh_content),
-                           filename, Wanted::surface);
-  check_polygons(shape, filename);
-  return shape;
-}
-
-Shape_file parse_points(std::string_view content, const std::string& format, const std::string& filename)
-{
-  Shape_file shape =
-      parse(content, get_format(without_compression_ending(format), "known format of points", point_content), filename,
-            Wanted::surface);
-  check_points(shape, filename);
-  return shape;
-}
-
-[[noreturn]] void fail_at_ending(const std::string& filename)
-{
-  fail_in_file(filename, "the ending names no known format",
-               "use one of " + boost::algorithm::join(mesh_endings(), " ") + " for meshes, " +
-                   boost::algorithm::join(point_endings(), " ") + " for points");
 }
 
 using Line = std::pair<std::int64_t, std::int64_t>;
@@ -209,32 +185,27 @@ void check_skeleton(Shape_file& shape, const std::string& filename)
   shape.lines.resize(kept);
 }
 
-Skeleton parse_skeleton(std::string_view content, const File_format& format, const std::string& filename)
+/// \param contents that are asked for and that the format holds
+void check(Shape_file& shape, const std::string& filename, unsigned contents)
 {
-  Shape_file shape = parse(content, format, filename, Wanted::skeleton);
-  check_skeleton(shape, filename);
-  boost::unordered_set<Line> joined;
-  for (const auto& [source, target] : shape.joined_lines) {
-    joined.insert(std::minmax(source, target));
+  if (contents == skeleton_content || ((contents & skeleton_content) != 0 && !shape.lines.empty())) {
+    check_skeleton(shape, filename);
+    return;
   }
-  Skeleton result;
-  for (const auto& [source, target] : shape.lines) {
-    result.edges.push_back({Index(source), Index(target)});
-    result.is_joined.push_back(joined.count(std::minmax(source, target)) > 0 ? 1 : 0);
+  shape.radii.clear();
+  const bool may_be_skeleton = (contents & skeleton_content) != 0;
+  if ((contents & point_content) != 0 || (may_be_skeleton && shape.number_of_polygons() == 0)) {
+    check_points(shape, filename);
+  } else {
+    check_polygons(shape, filename);
   }
-  result.points = std::move(shape.points);
-  result.radii = std::move(shape.radii);
-  if (std::count(shape.openings.begin(), shape.openings.end(), 1) > 0) {
-    result.is_opening = std::move(shape.openings);
-  }
-  return result;
 }
 
 } // namespace
 
 const File_format& skeleton_format(const std::string& filename)
 {
-  return get_format(filename, "known skeleton format", skeleton_content);
+  return get_format(filename, skeleton_content);
 }
 
 std::string read_content(std::istream& in, const std::string& name, const std::string& format)
@@ -290,28 +261,26 @@ std::string read_content(const std::string& filename)
   return content;
 }
 
-Shape_file read_polygons(const std::string& filename)
+Shape_file parse_shape(std::string_view content, const std::string& ending, const std::string& name, unsigned contents)
 {
-  get_format(without_compression_ending(filename), "known mesh format", mesh_content); // before it is read
-  return parse_polygons(read_content(filename), filename, filename);
+  const File_format& format = get_format(ending, contents);
+  if (content.empty()) {
+    fail_in_file(name, "the file is empty", "fetch or write it again");
+  }
+  Shape_file shape = format.parse(content, name, contents);
+  check(shape, name, contents & format.contents);
+  return shape;
 }
 
-Shape_file read_polygons(std::istream& in, const std::string& ending, const std::string& name)
+Shape_file read_shape(const std::string& filename, unsigned contents)
 {
-  return parse_polygons(read_content(in, name), ending, name);
+  get_format(filename, contents); // before it is read
+  return parse_shape(read_content(filename), filename, filename, contents);
 }
 
-Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
+Shape_file read_shape(std::istream& in, const std::string& ending, const std::string& name, unsigned contents)
 {
-  const std::string content = read_content(in, name, ending);
-  const std::string format = without_compression_ending(ending);
-  if (find_format(format, point_content) != nullptr) {
-    return parse_points(content, format, name);
-  }
-  if (find_format(format, mesh_content) == nullptr) {
-    fail_at_ending(ending);
-  }
-  return parse_polygons(content, format, name);
+  return parse_shape(read_content(in, name, ending), ending, name, contents);
 }
 
 bool is_graph_filename(const std::string& filename)
@@ -320,49 +289,23 @@ bool is_graph_filename(const std::string& filename)
   return format != nullptr && format->contents == skeleton_content;
 }
 
-Shape_file read_shape(std::string_view content, const std::string& ending, const std::string& name)
+Skeleton to_skeleton(Shape_file&& shape)
 {
-  const File_format* const format = find_format(without_compression_ending(ending), any_content);
-  if (format == nullptr) {
-    fail_at_ending(ending);
+  boost::unordered_set<Line> joined;
+  for (const auto& [source, target] : shape.joined_lines) {
+    joined.insert(std::minmax(source, target));
   }
-  Shape_file shape = parse(content, *format, name, Wanted::all);
-  if (format->contents == skeleton_content || !shape.lines.empty()) {
-    check_skeleton(shape, name);
-    return shape;
+  Skeleton result;
+  for (const auto& [source, target] : shape.lines) {
+    result.edges.push_back({Index(source), Index(target)});
+    result.is_joined.push_back(joined.count(std::minmax(source, target)) > 0 ? 1 : 0);
   }
-  shape.radii.clear();
-  const bool may_be_points = (format->contents & point_content) != 0;
-  const bool may_be_skeleton = (format->contents & skeleton_content) != 0;
-  if (may_be_points || (may_be_skeleton && shape.number_of_polygons() == 0)) {
-    check_points(shape, name);
-  } else {
-    check_polygons(shape, name);
+  result.points = std::move(shape.points);
+  result.radii = std::move(shape.radii);
+  if (std::count(shape.openings.begin(), shape.openings.end(), 1) > 0) {
+    result.is_opening = std::move(shape.openings);
   }
-  return shape;
-}
-
-Shape_file read_point_file(const std::string& filename)
-{
-  get_format(without_compression_ending(filename), "known format of points", point_content); // before it is read
-  return parse_points(read_content(filename), filename, filename);
-}
-
-Shape_file read_point_file(std::istream& in, const std::string& ending, const std::string& name)
-{
-  return parse_points(read_content(in, name), ending, name);
-}
-
-Skeleton read_indexed_skeleton(const std::string& filename)
-{
-  const File_format& format = skeleton_format(filename);
-  return parse_skeleton(read_content(filename), format, filename);
-}
-
-Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name)
-{
-  const File_format& format = skeleton_format(ending);
-  return parse_skeleton(read_content(in, name), format, name);
+  return result;
 }
 
 } // namespace internal

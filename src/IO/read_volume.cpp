@@ -205,23 +205,21 @@ public:
 
   /// Numbers separated by blanks, commas and parentheses.
   /// \throw File_error if there are not exactly `count` of them, all finite
-  std::vector<double> numbers(std::string text, const std::string& name, std::size_t count) const
+  template <std::size_t count>
+  std::array<double, count> numbers(std::string text, const std::string& name) const
   {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
     Text_scanner scanner(text, m_filename);
-    std::vector<double> result;
-    while (scanner.skip_blanks()) {
-      if (result.size() == count || !scanner.is_at_number()) {
-        fail(name, count);
-      }
-      const std::string word(scanner.word());
-      result.push_back(Text_scanner(word, m_filename).number());
-      if (!std::isfinite(result.back())) {
+    std::array<double, count> result{};
+    for (double& number : result) {
+      const bool is_there = scanner.skip_blanks() && scanner.is_at_number();
+      number = is_there ? scanner.number() : std::numeric_limits<double>::infinity();
+      if (!std::isfinite(number)) {
         fail(name, count);
       }
     }
-    if (result.size() != count) {
+    if (scanner.skip_blanks()) {
       fail(name, count);
     }
     return result;
@@ -231,7 +229,7 @@ public:
   template <std::size_t size>
   std::array<Vector_3, size> vectors(const std::string& text, const std::string& name) const
   {
-    const std::vector<double> v = numbers(text, name, 3 * size);
+    const std::array<double, 3 * size> v = numbers<3 * size>(text, name);
     std::array<Vector_3, size> result;
     for (std::size_t i = 0; i < size; ++i) {
       result[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
@@ -240,16 +238,18 @@ public:
   }
 
   /// Integers from 0 on. \throw File_error if there are not exactly `count` of them
-  std::vector<std::size_t> counts(const std::string& text, const std::string& name, std::size_t count) const
+  template <std::size_t count>
+  std::array<std::size_t, count> counts(const std::string& text, const std::string& name) const
   {
     constexpr double max_count = 1e15; // integers up to this are exact, and no file has as many bytes
-    std::vector<std::size_t> result;
-    for (const double number : numbers(text, name, count)) {
+    const std::array<double, count> all = numbers<count>(text, name);
+    std::array<std::size_t, count> result{};
+    std::transform(all.begin(), all.end(), result.begin(), [&](double number) {
       if (!(number >= 0) || number > max_count || number != std::floor(number)) {
         fail(name, count);
       }
-      result.push_back(std::size_t(number));
-    }
+      return std::size_t(number);
+    });
     return result;
   }
 
@@ -257,14 +257,7 @@ public:
   std::size_t count(const std::string& name, std::size_t its_default) const
   {
     const std::string text = value({name.c_str()});
-    return text.empty() ? its_default : counts(text, name, 1).front();
-  }
-
-  /// The sizes of the three axes.
-  std::array<std::size_t, 3> sizes(const char* field, const std::string& name) const
-  {
-    const std::vector<std::size_t> result = counts(value({field}), name, 3);
-    return {result[0], result[1], result[2]};
+    return text.empty() ? its_default : counts<1>(text, name).front();
   }
 
 private:
@@ -283,24 +276,18 @@ private:
   std::map<std::string, std::string> m_values;
 };
 
-/// Finds the data that a header names.
-/// \param position of the data in the file with the header, if they are there
-/// \param name of the file with the data, relative to that of the header, or empty
-void find_data(const std::string& filename, const std::string& name, std::size_t position, Volume_header& header)
+/// Finds the data that a header names, which begin behind so many bytes as the field `skip` says, or end the file.
+/// \param name of the file with the data, relative to that of the header; empty if they are behind the header
+/// \param number_of_lines before these bytes
+void find_data(const std::string& filename, const std::string& name, const Line_header& lines, const char* skip,
+               std::size_t number_of_lines, Volume_header& header)
 {
   if (name.find('%') != std::string::npos || boost::algorithm::starts_with(name, "LIST")) {
     fail_in_file(filename, "the data are in several files, which is not read", "write them into one");
   }
   header.data_filename =
       name.empty() ? filename : (std::filesystem::path(filename).parent_path() / name).string(); // absolute ones stay
-  header.data_begin = name.empty() ? position : 0;
-}
-
-/// Reads the byte skip, line skip and the rest that NRRD says of where data are.
-void find_nrrd_data(const std::string& filename, const Line_header& lines, Volume_header& header)
-{
-  find_data(filename, lines.value({"datafile"}), lines.position(), header);
-  std::size_t number_of_lines = lines.count("lineskip", 0);
+  header.data_begin = name.empty() ? lines.position() : 0;
   if (number_of_lines > 0) {
     std::ifstream in(header.data_filename, std::ios::binary);
     in.seekg(std::streamoff(header.data_begin));
@@ -309,11 +296,8 @@ void find_nrrd_data(const std::string& filename, const Line_header& lines, Volum
       number_of_lines -= c == '\n' ? 1 : 0;
     }
   }
-  if (lines.value({"byteskip"}) == "-1") {
-    header.is_data_at_end = true;
-  } else {
-    (header.is_compressed ? header.skipped_bytes : header.data_begin) += lines.count("byteskip", 0);
-  }
+  header.is_data_at_end = lines.value({skip}) == "-1";
+  header.skipped_bytes = header.is_data_at_end ? 0 : lines.count(skip, 0);
 }
 
 /// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
@@ -382,7 +366,7 @@ Volume_header read_nrrd_header(const std::string& filename)
   if (lines.count("dimension", 0) != 3) {
     fail_in_file(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
-  header.grid.size = lines.sizes("sizes", "sizes");
+  header.grid.size = lines.counts<3>(lines.value({"sizes"}), "sizes");
   header.type = nrrd_type(filename, lines.value({"type"}));
   header.order = lines.value({"endian"}) == "big" ? Byte_order::big : Byte_order::little;
   const std::string encoding = lower_case(lines.value({"encoding"}));
@@ -392,7 +376,10 @@ Volume_header read_nrrd_header(const std::string& filename)
                  "write it with the encoding raw or gzip");
   }
   read_nrrd_axes(lines, header.grid);
-  find_nrrd_data(filename, lines, header);
+  find_data(filename, lines.value({"datafile"}), lines, "byteskip", lines.count("lineskip", 0), header);
+  if (!header.is_compressed) {
+    header.data_begin += std::exchange(header.skipped_bytes, 0);
+  }
   return header;
 }
 
@@ -428,7 +415,7 @@ Volume_header read_meta_image_header(const std::string& filename)
     fail_in_file(filename, "is not of three dimensions with one number a voxel", "write such a volume");
   }
   Volume_header header;
-  header.grid.size = lines.sizes("dimsize", "DimSize");
+  header.grid.size = lines.counts<3>(lines.value({"dimsize"}), "DimSize");
   header.type = meta_image_type(filename, lines.value({"elementtype"}));
   header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
@@ -443,133 +430,106 @@ Volume_header read_meta_image_header(const std::string& filename)
   }
   const std::string data = lines.value({"elementdatafile"});
   const bool is_local = boost::algorithm::iequals(data, "LOCAL", std::locale::classic());
-  find_data(filename, is_local ? "" : data, lines.position(), header);
-  if (lines.value({"headersize"}) == "-1") {
-    header.is_data_at_end = true;
-  } else {
-    header.data_begin += lines.count("headersize", 0);
-  }
+  find_data(filename, is_local ? "" : data, lines, "headersize", 0, header);
+  header.data_begin += std::exchange(header.skipped_bytes, 0);
   return header;
 }
 
-/// A header of NIfTI-1, whose numbers stand in fixed places.
-class Nifti_header
+/// Reads the axes by the matrix, else by the quaternion, else by spacings: the order that NIfTI recommends.
+/// \param integer, real read numbers of the header at their places
+template <class Integer, class Real>
+void read_nifti_axes(const Integer& integer, const Real& real, Volume_grid& grid)
 {
-public:
-  static constexpr std::size_t size = 348; ///< in bytes
-
-  Nifti_header(std::string bytes, const std::string& filename) : m_bytes(std::move(bytes)), m_filename(filename)
-  {
-    if (number<std::int32_t>(0) != std::int32_t(size)) {
-      m_order = Byte_order::big;
-    }
-    const std::string magic = m_bytes.substr(344, 3);
-    if (number<std::int32_t>(0) != std::int32_t(size) || magic != "n+1") {
-      fail_in_file(filename, "has no header of NIfTI-1 with its data in the same file",
-                   "check what the file is, or write it as NIfTI-1");
-    }
-  }
-
-  Volume_header header() const
-  {
-    Volume_header result;
-    result.order = m_order;
-    const int dimension = number<std::int16_t>(40);
-    for (std::size_t axis = 0; axis < 7; ++axis) {
-      const int extent = int(axis) < dimension ? number<std::int16_t>(42 + 2 * axis) : 1;
-      if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
-        fail_in_file(m_filename, "'dim' in the header tells no volume of one value a voxel",
-                     "write it as one of three dimensions");
+  if (integer(254) > 0) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        grid.axes[axis][row] = real(280 + 16 * row + 4 * axis);
       }
-      if (axis < 3) {
-        result.grid.size[axis] = std::size_t(extent);
-      }
+      grid.origin[row] = real(280 + 16 * row + 12);
     }
-    result.type = type();
-    const double slope = number<float>(112);
-    const double intercept = number<float>(116);
-    if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0) {
-      result.slope = slope;
-      result.intercept = intercept;
-    }
-    const double begin = number<float>(108);
-    constexpr double max_begin = 1e9; // bytes of extensions
-    if (!(begin >= double(size)) || begin > max_begin) {
-      fail_in_file(m_filename, "'vox_offset' in the header is inside the header or too large", "correct it");
-    }
-    result.data_begin = std::size_t(begin);
-    read_axes(result.grid);
-    return result;
+    return;
   }
-
-private:
-  template <class Number>
-  Number number(std::size_t place) const
-  {
-    return stored_number<Number>(m_bytes.data() + place, m_order);
+  if (integer(252) > 0) {
+    const double b = real(256);
+    const double c = real(260);
+    const double d = real(264);
+    const double a = std::sqrt(std::max(0., 1 - b * b - c * c - d * d));
+    grid.axes[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
+    grid.axes[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
+    grid.axes[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c};
+    grid.axes[2] *= real(76) < 0 ? -1 : 1;
+    grid.origin = {real(268), real(272), real(276)};
   }
+  scale_axes(grid, {real(80), real(84), real(88)});
+}
 
-  Number_type type() const
-  {
-    static const std::map<int, Number_type> types{{2, {'u', 1}},    {4, {'i', 2}},   {8, {'i', 4}},   {16, {'f', 4}},
-                                                  {64, {'f', 8}},   {256, {'i', 1}}, {512, {'u', 2}}, {768, {'u', 4}},
-                                                  {1024, {'i', 8}}, {1280, {'u', 8}}};
-    const int code = number<std::int16_t>(70);
-    const auto found = types.find(code);
-    if (found == types.end()) {
-      fail_in_file(m_filename, "'datatype' " + std::to_string(code) + " is not of one number a voxel",
-                   "write the volume with integers, float or double");
-    }
-    return found->second;
+constexpr std::size_t nifti_header_size = 348; // bytes
+
+/// \param bytes the header of NIfTI-1, whose numbers stand in fixed places
+Volume_header parse_nifti_header(const std::string& bytes, const std::string& filename)
+{
+  Volume_header result;
+  const auto has_size = [&] {
+    return stored_number<std::int32_t>(bytes.data(), result.order) == std::int32_t(nifti_header_size);
+  };
+  const auto integer = [&](std::size_t place) {
+    return int(stored_number<std::int16_t>(bytes.data() + place, result.order));
+  };
+  const auto real = [&](std::size_t place) { return double(stored_number<float>(bytes.data() + place, result.order)); };
+  result.order = has_size() ? Byte_order::little : Byte_order::big;
+  if (!has_size() || bytes.substr(344, 3) != "n+1") {
+    fail_in_file(filename, "has no header of NIfTI-1 with its data in the same file",
+                 "check what the file is, or write it as NIfTI-1");
   }
-
-  /// By the matrix, else by the quaternion, else by spacings: the order that NIfTI recommends.
-  void read_axes(Volume_grid& grid) const
-  {
-    if (number<std::int16_t>(254) > 0) {
-      for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          grid.axes[axis][row] = number<float>(280 + 16 * row + 4 * axis);
-        }
-        grid.origin[row] = number<float>(280 + 16 * row + 12);
-      }
-      return;
+  const int dimension = integer(40);
+  for (std::size_t axis = 0; axis < 7; ++axis) {
+    const int extent = int(axis) < dimension ? integer(42 + 2 * axis) : 1;
+    if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
+      fail_in_file(filename, "'dim' in the header tells no volume of one value a voxel",
+                   "write it as one of three dimensions");
     }
-    if (number<std::int16_t>(252) > 0) {
-      const double b = number<float>(256);
-      const double c = number<float>(260);
-      const double d = number<float>(264);
-      const double a = std::sqrt(std::max(0., 1 - b * b - c * c - d * d));
-      grid.axes[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
-      grid.axes[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
-      grid.axes[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c};
-      grid.axes[2] *= number<float>(76) < 0 ? -1 : 1;
-      grid.origin = {number<float>(268), number<float>(272), number<float>(276)};
+    if (axis < 3) {
+      result.grid.size[axis] = std::size_t(extent);
     }
-    scale_axes(grid, {number<float>(80), number<float>(84), number<float>(88)});
   }
-
-  std::string m_bytes;
-  std::string m_filename;
-  Byte_order m_order = Byte_order::little;
-};
+  static const std::map<int, Number_type> types{{2, {'u', 1}},    {4, {'i', 2}},   {8, {'i', 4}},   {16, {'f', 4}},
+                                                {64, {'f', 8}},   {256, {'i', 1}}, {512, {'u', 2}}, {768, {'u', 4}},
+                                                {1024, {'i', 8}}, {1280, {'u', 8}}};
+  const auto type = types.find(integer(70));
+  if (type == types.end()) {
+    fail_in_file(filename, "'datatype' " + std::to_string(integer(70)) + " is not of one number a voxel",
+                 "write the volume with integers, float or double");
+  }
+  result.type = type->second;
+  if (std::isfinite(real(112)) && std::isfinite(real(116)) && real(112) != 0) {
+    result.slope = real(112);
+    result.intercept = real(116);
+  }
+  const double begin = real(108);
+  constexpr double max_begin = 1e9; // bytes of extensions
+  if (!(begin >= double(nifti_header_size)) || begin > max_begin) {
+    fail_in_file(filename, "'vox_offset' in the header is inside the header or too large", "correct it");
+  }
+  result.data_begin = std::size_t(begin);
+  read_nifti_axes(integer, real, result.grid);
+  return result;
+}
 
 Volume_header read_nifti_header(const std::string& filename)
 {
   std::ifstream in = open_file(filename);
   const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
-  std::string bytes(Nifti_header::size, '\0');
+  std::string bytes(nifti_header_size, '\0');
   if (is_compressed) {
     Inflating_stream(in, filename).read(bytes.data(), bytes.size());
   } else if (!in.read(bytes.data(), std::streamsize(bytes.size()))) {
     fail_in_file(filename, "is shorter than a header of NIfTI-1", "check what the file is");
   }
-  Volume_header header = Nifti_header(std::move(bytes), filename).header();
+  Volume_header header = parse_nifti_header(bytes, filename);
   header.data_filename = filename;
   header.is_compressed = is_compressed;
   if (is_compressed) {
-    header.skipped_bytes = header.data_begin;
-    header.data_begin = 0;
+    header.skipped_bytes = std::exchange(header.data_begin, 0);
   }
   return header;
 }
@@ -697,51 +657,43 @@ std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
 #endif
 }
 
-template <Volume_header read_header(const std::string&)>
-std::unique_ptr<Volume_file> open_bytes(const std::string& filename)
+using Read_header = Volume_header(const std::string& filename);
+
+/// The functions that read headers of files with these endings; null for TIFF.
+constexpr std::array<std::pair<const char*, Read_header*>, 8> volume_formats{{{".nrrd", read_nrrd_header},
+                                                                              {".nhdr", read_nrrd_header},
+                                                                              {".nii", read_nifti_header},
+                                                                              {".nii.gz", read_nifti_header},
+                                                                              {".mha", read_meta_image_header},
+                                                                              {".mhd", read_meta_image_header},
+                                                                              {".tif", nullptr},
+                                                                              {".tiff", nullptr}}};
+
+/// The row of the format of a file; the end of the table if its ending names none.
+const auto* find_volume_format(const std::string& filename)
 {
-  return std::make_unique<Byte_volume_file>(filename, read_header(filename));
-}
-
-using Open_volume = std::unique_ptr<Volume_file>(const std::string& filename);
-
-constexpr std::array<std::pair<const char*, Open_volume*>, 8> volume_formats{
-    {{".nrrd", open_bytes<read_nrrd_header>},
-     {".nhdr", open_bytes<read_nrrd_header>},
-     {".nii", open_bytes<read_nifti_header>},
-     {".nii.gz", open_bytes<read_nifti_header>},
-     {".mha", open_bytes<read_meta_image_header>},
-     {".mhd", open_bytes<read_meta_image_header>},
-     {".tif", open_tiff},
-     {".tiff", open_tiff}}};
-
-/// The function that opens a file with this ending; null if none does.
-Open_volume* find_volume_format(const std::string& filename)
-{
-  for (const auto& [ending, open] : volume_formats) {
-    if (boost::algorithm::iends_with(filename, ending, std::locale::classic())) {
-      return open;
-    }
-  }
-  return nullptr;
+  return std::find_if(volume_formats.begin(), volume_formats.end(), [&](const auto& format) {
+    return boost::algorithm::iends_with(filename, format.first, std::locale::classic());
+  });
 }
 
 std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 {
-  Open_volume* const open = find_volume_format(filename);
-  if (open == nullptr) {
+  const auto* const format = find_volume_format(filename);
+  if (format == volume_formats.end()) {
     fail_in_file(filename, "the ending names no known format of volumes",
                  "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
   open_file(filename); // libtiff would not report a folder or a wrong name as the cause
-  return open(filename);
+  return format->second == nullptr ? open_tiff(filename)
+                                   : std::make_unique<Byte_volume_file>(filename, format->second(filename));
 }
 
 } // namespace internal
 
 bool is_volume_filename(const std::string& filename)
 {
-  return internal::find_volume_format(filename) != nullptr;
+  return internal::find_volume_format(filename) != internal::volume_formats.end();
 }
 
 Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -192,52 +193,40 @@ private:
     static constexpr std::array<Tetrahedron, 6> tetrahedra{
         {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 7, 5, 1}, {0, 7, 3, 2}, {0, 7, 6, 4}}};
     for (const Tetrahedron& tetrahedron : tetrahedra) {
-      int number_inside = 0;
-      for (int k : tetrahedron) {
-        number_inside += values[std::size_t(k)] < 0 ? 1 : 0;
-      }
-      if (number_inside == 1 || number_inside == 3) {
-        cut_corner_off(cell, values, tetrahedron, number_inside == 1);
-      } else if (number_inside == 2) {
-        cut_in_half(cell, values, tetrahedron);
-      }
+      cut(cell, values, tetrahedron);
     }
   }
 
-  /// Adds the triangle that cuts off the one corner which is inside, or the one which is outside.
-  void cut_corner_off(const Cell& cell, const std::array<double, 8>& values, const Tetrahedron& t, bool is_inside)
+  /// Adds the triangle that cuts off the one corner which is inside, or the one which is outside, or the two triangles
+  /// between two corners inside and two outside.
+  void cut(const Cell& cell, const std::array<double, 8>& values, const Tetrahedron& corners)
   {
-    // Even permutations, so that the volume stays positive: the triangle then faces away from its first corner.
-    static constexpr std::array<Tetrahedron, 4> orders{{{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
-    for (const Tetrahedron& order : orders) {
-      const int a = t[std::size_t(order[0])];
-      if ((values[std::size_t(a)] < 0) == is_inside) {
-        const Index p = vertex_on(cell, values, a, t[std::size_t(order[1])]);
-        const Index q = vertex_on(cell, values, a, t[std::size_t(order[2])]);
-        const Index r = vertex_on(cell, values, a, t[std::size_t(order[3])]);
-        m_triangles.faces.push_back(is_inside ? std::array<Index, 3>{p, q, r} : std::array<Index, 3>{p, r, q});
-      }
+    // By the corners inside, as bits: the one or two that are cut off first, in an even permutation, so that the volume
+    // stays positive. The triangles then face away from them.
+    static constexpr std::array<const char*, 16> orders{"",     "0123", "1032", "0123", "2301", "0231", "1203", "3210",
+                                                        "3210", "0312", "1320", "2301", "2301", "1032", "0123", ""};
+    std::bitset<4> inside;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      inside[i] = values[std::size_t(corners[i])] < 0;
     }
-  }
-
-  /// Adds the two triangles between the two corners which are inside and the two which are not.
-  void cut_in_half(const Cell& cell, const std::array<double, 8>& values, const Tetrahedron& t)
-  {
-    static constexpr std::array<Tetrahedron, 6> orders{
-        {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
-    for (const Tetrahedron& order : orders) {
-      const int a = t[std::size_t(order[0])];
-      const int b = t[std::size_t(order[1])];
-      if (values[std::size_t(a)] < 0 && values[std::size_t(b)] < 0) {
-        const int c = t[std::size_t(order[2])];
-        const int d = t[std::size_t(order[3])];
-        const Index p = vertex_on(cell, values, a, c);
-        const Index q = vertex_on(cell, values, a, d);
-        const Index r = vertex_on(cell, values, b, d);
-        const Index s = vertex_on(cell, values, b, c);
-        m_triangles.faces.push_back({p, q, r});
-        m_triangles.faces.push_back({p, r, s});
-      }
+    if (inside.none() || inside.all()) {
+      return;
+    }
+    const auto vertex = [&, order = orders[inside.to_ulong()]](std::size_t from, std::size_t to) {
+      const auto corner = [&](std::size_t i) { return corners[std::size_t(order[i] - '0')]; };
+      return vertex_on(cell, values, corner(from), corner(to));
+    };
+    if (inside.count() == 2) {
+      const Index p = vertex(0, 2);
+      const Index q = vertex(0, 3);
+      const Index r = vertex(1, 3);
+      const Index s = vertex(1, 2);
+      m_triangles.faces.insert(m_triangles.faces.end(), {{p, q, r}, {p, r, s}});
+    } else {
+      const Index p = vertex(0, 1);
+      const Index q = vertex(0, 2);
+      const Index r = vertex(0, 3);
+      m_triangles.faces.push_back(inside.count() == 1 ? std::array<Index, 3>{p, q, r} : std::array<Index, 3>{p, r, q});
     }
   }
 

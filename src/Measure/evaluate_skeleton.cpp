@@ -133,16 +133,15 @@ namespace {
 
 /// The surface of a mesh and the body that it bounds; the diagonal of the bounding box is 1. Borders are bridged, so
 /// that there is a body; components that face inwards are turned.
-class Measured_body
+struct Measured_body
 {
-public:
   /// Near linear.
   /// \throw Input_error if the triangles have no extent
   Measured_body(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
   {
-    m_normalization = normalize_diagonal(triangles.points);
+    normalization = normalize_diagonal(triangles.points);
     std::size_t number_of_points = triangles.points.size();
-    m_number_of_borders = bridge_borders(triangles, pairing);
+    number_of_borders = bridge_borders(triangles, pairing);
     if (pairing.has_border()) {
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     }
@@ -150,45 +149,36 @@ public:
     number_of_points -= fill_cavities(triangles, pairing, components, number_of_points).vertices.size();
     orient_outwards(triangles, pairing, components);
     split_two_face_components(triangles, pairing, components);
-    m_number_of_components = components.number();
+    number_of_components = components.number();
     // Vertices with near numbers should be near in space, for the queries' sake.
     const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
-    m_points.reserve(number_of_points);
+    points.reserve(number_of_points);
     for (const Index vertex : order) {
       if (vertex < number_of_points) {
-        m_points.push_back(triangles.points[vertex]);
+        points.push_back(triangles.points[vertex]);
       }
     }
     renumber(triangles, order);
-    m_surface = Triangulated_surface(std::move(triangles));
-    CGAL_postcondition(!m_surface.defect());
-    m_queries.emplace(m_surface);
+    surface = Triangulated_surface(std::move(triangles));
+    CGAL_postcondition(!surface.defect());
+    queries.emplace(surface);
   }
   Measured_body(const Measured_body&) = delete;
   Measured_body& operator=(const Measured_body&) = delete;
   ~Measured_body() = default;
 
-  const Normalization& normalization() const { return m_normalization; }
-  /// The vertices that have a face, neighbors near each other.
-  const std::vector<Vector_3>& points() const { return m_points; }
-  const Triangulated_surface& surface() const { return m_surface; }
-  const Solid_queries& queries() const { return *m_queries; }
-
-  std::size_t number_of_components() const { return m_number_of_components; }
-  std::size_t number_of_borders() const { return m_number_of_borders; }
   /// The number of handles of the bridged surface, over all components.
   std::size_t genus() const
   {
-    return genus_of_closed_surface(m_number_of_components, m_surface.number_of_vertices(), m_surface.number_of_faces());
+    return genus_of_closed_surface(number_of_components, surface.number_of_vertices(), surface.number_of_faces());
   }
 
-private:
-  Normalization m_normalization;
-  std::vector<Vector_3> m_points;
-  std::size_t m_number_of_components = 0;
-  std::size_t m_number_of_borders = 0;
-  Triangulated_surface m_surface;
-  std::optional<Solid_queries> m_queries;
+  Normalization normalization;
+  std::vector<Vector_3> points; ///< the vertices that have a face, neighbors near each other
+  std::size_t number_of_components = 0;
+  std::size_t number_of_borders = 0;
+  Triangulated_surface surface;
+  std::optional<Solid_queries> queries;
 };
 
 /// The angle of the turn of the path a, b, c at b, from 0 to pi; 0 where two of the points are equal.
@@ -240,12 +230,12 @@ Measured_surface measured_surface(Measured_input&& input)
 {
   if (input.is_mesh) {
     auto body = std::make_unique<const Measured_body>(std::move(input.triangles), std::move(input.pairing));
-    auto distance = [&queries = body->queries(), near = no_index](const Vector_3& point) mutable {
+    auto distance = [&queries = *body->queries, near = no_index](const Vector_3& point) mutable {
       const Surface_point nearest = queries.closest_point(point, near);
       near = nearest.face;
       return (nearest.point - point).norm();
     };
-    return {body->normalization(), body->points(), std::move(distance), std::move(body)};
+    return {body->normalization, body->points, std::move(distance), std::move(body)};
   }
   std::vector<Vector_3> points = std::move(input.points);
   if (points.empty()) {
@@ -331,99 +321,58 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
   return error;
 }
 
-/// A skeleton in the coordinates of a surface, with radii.
-class Skeleton_evaluation
+/// Nodes farther than this from the center of the bounding box, and radii greater than this, in its diagonals, cannot
+/// belong to the surface.
+constexpr double max_length = 2;
+
+/// Maps the nodes to the coordinates of a surface. \throw Input_error if one is not finite or far from the surface
+void place_nodes(const Normalization& normalization, Skeleton& skeleton)
 {
-public:
-  /// \param measured is referred to
-  /// \throw Input_error if the skeleton has no nodes, a node that is not finite or far from the surface, or if its own
-  ///        radii are to be used and it has none
-  Skeleton_evaluation(const Measured_surface& measured, Skeleton skeleton, const Evaluation_parameters& parameters)
-      : m_measured(measured), m_skeleton(std::move(skeleton)), m_resolution(parameters.resolution)
-  {
-    constexpr std::size_t max_size = std::size_t(1) << 18; // more would take minutes: fields are sums over all edges
-    if (m_skeleton.number_of_nodes() + m_skeleton.edges.size() > max_size) {
-      throw Input_error("the skeleton has more than 2^18 nodes and edges: resample it with a greater spacing first");
-    }
-    if (m_resolution == 0 || m_resolution > maximum_resolution) {
-      throw Input_error("the resolution is not in [1, 10000]: 200 will do in most cases");
-    }
-    place_nodes();
-    if (parameters.uses_skeleton_radii) {
-      place_radii();
-    } else {
-      m_skeleton.radii = estimate_radii(m_measured.points, m_skeleton);
+  if (skeleton.number_of_nodes() == 0) {
+    throw Input_error("the skeleton has no nodes: there is nothing to measure");
+  }
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    check_finite(skeleton, v);
+    skeleton.points[v] = normalization.from_input(skeleton.points[v]);
+    if (!(skeleton.points[v].norm() <= max_length)) {
+      fail_at_node(v, "is far from the surface: check that both have the same unit and place");
     }
   }
+}
 
-  const Skeleton& skeleton() const { return m_skeleton; }
-
-  /// All measures except those of the position.
-  Skeleton_measures measure() const
-  {
-    Skeleton_measures result;
-    result.number_of_points = m_measured.points.size();
-    result.diagonal = m_measured.normalization.unit;
-    result.counts = count_skeleton(m_skeleton);
-    measure_turning(m_skeleton, result.counts);
-    const double cell_size = 1 / double(m_resolution);
-    result.convolution =
-        measure_reconstruction(triangulate_field(Convolution_field(m_skeleton), m_skeleton, cell_size), m_measured);
-    const Round_cone_field field(m_skeleton);
-    result.round_cones = measure_reconstruction(triangulate_field(field, m_skeleton, cell_size), m_measured);
-    double sum = 0;
-    for (const Vector_3& point : m_measured.points) {
-      sum += std::abs(field(point));
-    }
-    result.mean_distance_from_round_cones = sum / double(m_measured.points.size());
-    return result;
+/// Maps the radii. \throw Input_error if they are missing, 0, or one is negative, not finite or too large
+void place_radii(const Normalization& normalization, Skeleton& skeleton)
+{
+  if (!skeleton.has_radii()) {
+    throw Input_error("the skeleton has no radii of its own: let them be estimated");
   }
-
-private:
-  static constexpr std::size_t maximum_resolution = 10000; // cells along the diagonal of the bounding box
-  /// Nodes farther than this from the center of the bounding box, and radii greater than this, in its diagonals, cannot
-  /// belong to the surface.
-  static constexpr double max_length = 2;
-
-  void place_nodes()
-  {
-    if (m_skeleton.number_of_nodes() == 0) {
-      throw Input_error("the skeleton has no nodes: there is nothing to measure");
+  double sum = 0;
+  for (std::size_t v = 0; v < skeleton.radii.size(); ++v) {
+    double& radius = skeleton.radii[v];
+    radius /= normalization.unit;
+    if (!(radius >= 0 && radius <= max_length)) {
+      fail_at_node(v, "has a radius that is negative, not finite or too large for the surface: let radii be "
+                      "estimated");
     }
-    for (std::size_t v = 0; v < m_skeleton.number_of_nodes(); ++v) {
-      Vector_3& point = m_skeleton.points[v];
-      check_finite(m_skeleton, v);
-      point = m_measured.normalization.from_input(point);
-      if (!(point.norm() <= max_length)) {
-        fail_at_node(v, "is far from the surface: check that both have the same unit and place");
-      }
-    }
+    sum += radius;
   }
-
-  void place_radii()
-  {
-    if (!m_skeleton.has_radii()) {
-      throw Input_error("the skeleton has no radii of its own: let them be estimated");
-    }
-    double sum = 0;
-    for (std::size_t v = 0; v < m_skeleton.radii.size(); ++v) {
-      double& radius = m_skeleton.radii[v];
-      radius /= m_measured.normalization.unit;
-      if (!(radius >= 0 && radius <= max_length)) {
-        fail_at_node(v, "has a radius that is negative, not finite or too large for the surface: let radii be "
-                        "estimated");
-      }
-      sum += radius;
-    }
-    if (!(sum > 0)) {
-      throw Input_error("all radii of the skeleton are 0: let them be estimated");
-    }
+  if (!(sum > 0)) {
+    throw Input_error("all radii of the skeleton are 0: let them be estimated");
   }
+}
 
-  const Measured_surface& m_measured;
-  Skeleton m_skeleton;
-  std::size_t m_resolution;
-};
+/// Checks that there will be an answer within minutes.
+void check_size(const Skeleton& skeleton, std::size_t resolution)
+{
+  constexpr std::size_t max_size = std::size_t(1) << 18; // fields are sums over all edges
+  constexpr std::size_t max_resolution = 10000;          // cells along the diagonal of the bounding box
+  if (skeleton.number_of_nodes() + skeleton.edges.size() > max_size) {
+    throw Input_error("the skeleton has more than 2^18 nodes and edges: resample it with a greater spacing first");
+  }
+  if (resolution == 0 || resolution > max_resolution) {
+    throw Input_error("the resolution is not in [1, 10000]: 200 will do in most cases");
+  }
+}
 
 } // namespace
 
@@ -431,17 +380,37 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters)
 {
   const Measured_surface measured = measured_surface(std::move(input));
-  const Skeleton_evaluation evaluation(measured, std::move(skeleton), parameters);
-  Skeleton_measures result = evaluation.measure();
+  check_size(skeleton, parameters.resolution);
+  place_nodes(measured.normalization, skeleton);
+  if (parameters.uses_skeleton_radii) {
+    place_radii(measured.normalization, skeleton);
+  } else {
+    skeleton.radii = estimate_radii(measured.points, skeleton);
+  }
+  Skeleton_measures result;
+  result.number_of_points = measured.points.size();
+  result.diagonal = measured.normalization.unit;
+  result.counts = count_skeleton(skeleton);
+  measure_turning(skeleton, result.counts);
+  const double cell_size = 1 / double(parameters.resolution);
+  result.convolution =
+      measure_reconstruction(triangulate_field(Convolution_field(skeleton), skeleton, cell_size), measured);
+  const Round_cone_field field(skeleton);
+  result.round_cones = measure_reconstruction(triangulate_field(field, skeleton, cell_size), measured);
+  double sum = 0;
+  for (const Vector_3& point : measured.points) {
+    sum += std::abs(field(point));
+  }
+  result.mean_distance_from_round_cones = sum / double(measured.points.size());
   if (measured.body) {
     const Measured_body& body = *measured.body;
-    result.position = measure_position(body.queries(), evaluation.skeleton());
-    result.position.number_of_surface_components = body.number_of_components();
+    result.position = measure_position(*body.queries, skeleton);
+    result.position.number_of_surface_components = body.number_of_components;
     result.position.genus = body.genus();
-    result.position.number_of_borders = body.number_of_borders();
-    result.limbs = measure_limbs(body.surface(), body.queries(), evaluation.skeleton());
+    result.position.number_of_borders = body.number_of_borders;
+    result.limbs = measure_limbs(body.surface, *body.queries, skeleton);
     for (Surface_limb& limb : result.limbs.limbs) {
-      limb.tip = body.normalization().to_input(limb.tip);
+      limb.tip = body.normalization.to_input(limb.tip);
     }
   }
   return result;

@@ -233,14 +233,7 @@ public:
 
   Simplified_skeleton release()
   {
-    Simplification_report& report = m_result.report;
-    const Skeleton_counts counts = count_skeleton(skeleton());
-    report.number_of_nodes = counts.number_of_nodes;
-    report.number_of_edges = counts.number_of_edges;
-    report.number_of_components = counts.number_of_components;
-    report.betti_number = counts.betti_number;
-    report.number_of_tips = counts.number_of_tips;
-    report.number_of_junctions = counts.number_of_junctions;
+    static_cast<Skeleton_counts&>(m_result.report) = count_skeleton(skeleton());
     return std::move(m_result);
   }
 

@@ -9,14 +9,21 @@
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Skeleton.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -30,111 +37,97 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Finds for each object the points that distances start from. Shortest paths from a single point would go round a
-/// thick trunk; from all around its foot, they go up.
-class Root_search
+/// The foot of a trunk: the points of an object that are lowest and connected with the lowest, and others as low next
+/// to them, where the foot was not seen whole. If that is too wide for a foot, the outermost of them, an end of an
+/// object that lies. \param is_taken is set for the points that were looked at
+std::vector<Index> find_foot(const std::vector<Vector_3>& points, const Neighbor_graph& graph,
+                             const std::vector<Index>& members, std::vector<char>& is_taken)
 {
-public:
-  Root_search(const std::vector<Vector_3>& points, const Neighbor_graph& graph, const Gap_bridging& bridging)
-      : m_points(points), m_graph(graph), m_bridging(bridging), m_members(bridging.number_of_objects()),
-        m_is_taken(points.size(), 0)
-  {
-    for (Index point = 0; point < points.size(); ++point) {
-      if (bridging.object(point) != no_index) {
-        m_members[bridging.object(point)].push_back(point);
-      }
+  constexpr double foot_height = 3; // above the lowest point, relative to the spacing there
+  // From the lowest point, relative to the extent of the object: a wider part is not a foot.
+  constexpr double foot_width = 0.15;
+  // How far from the lowest point other parts of a foot are, relative to how far the part with that point reaches: an
+  // arc of a third of a circle may have its other parts on the opposite side.
+  constexpr double widest_foot = 1.5;
+  Index lowest = members.front();
+  Vector_3 centroid = Vector_3::Zero();
+  for (const Index point : members) {
+    lowest = points[point].z() < points[lowest].z() ? point : lowest;
+    centroid += points[point] / double(members.size());
+  }
+  double extent = 0;
+  for (const Index point : members) {
+    extent = std::max(extent, 2 * (points[point] - centroid).norm());
+  }
+  const double top = points[lowest].z() + foot_height * graph.spacing(lowest);
+  const auto distance = [&](Index point) { return (points[point] - points[lowest]).norm(); };
+  std::vector<Index> foot;
+  const auto take = [&](Index point) {
+    if (is_taken[point] == 0 && points[point].z() <= top) {
+      is_taken[point] = 1;
+      foot.push_back(point);
+    }
+  };
+  take(lowest);
+  for (std::size_t i = 0; i < foot.size(); ++i) {
+    const Index point = foot[i]; // the vector grows
+    for (const Index neighbor : graph.neighbors(point)) {
+      take(neighbor);
     }
   }
-
-  /// \param root where one of the objects, the nearest, begins; all others begin at their lowest points
-  std::vector<std::vector<Index>> operator()(const std::optional<Vector_3>& root)
-  {
-    std::vector<std::vector<Index>> result;
-    for (const std::vector<Index>& members : m_members) {
-      result.push_back(foot(members));
-    }
-    if (root) {
-      Index nearest = no_index;
-      for (Index point = 0; point < m_points.size(); ++point) {
-        if (m_bridging.object(point) != no_index &&
-            (nearest == no_index ||
-             (m_points[point] - *root).squaredNorm() < (m_points[nearest] - *root).squaredNorm())) {
-          nearest = point;
-        }
-      }
-      result[m_bridging.object(nearest)] = {nearest};
-    }
-    return result;
+  double width = 0;
+  for (const Index point : foot) {
+    width = std::max(width, distance(point));
   }
-
-private:
-  /// How high above the lowest point the foot reaches, relative to the spacing there.
-  static constexpr double foot_height = 3;
-  /// How far from the lowest point it may reach, relative to the extent of the object: a wider part is not a foot, but
-  /// belongs to an object that lies.
-  static constexpr double foot_width = 0.15;
-
-  /// How far from the lowest point other parts of a foot are, relative to how far the part with that point reaches: an
-  /// arc of a third of a circle may have its other parts on the opposite side.
-  static constexpr double widest_foot = 1.5;
-
-  /// The points that are lowest and connected with the lowest, if they can be the foot of a trunk; else the outermost
-  /// of them, an end of an object that lies.
-  std::vector<Index> foot(const std::vector<Index>& members)
-  {
-    Index lowest = members.front();
-    Vector_3 centroid = Vector_3::Zero();
-    for (Index point : members) {
-      lowest = m_points[point].z() < m_points[lowest].z() ? point : lowest;
-      centroid += m_points[point] / double(members.size());
-    }
-    double extent = 0;
-    for (Index point : members) {
-      extent = std::max(extent, 2 * (m_points[point] - centroid).norm());
-    }
-    std::vector<Index> result{lowest};
-    m_is_taken[lowest] = 1;
-    const double top = m_points[lowest].z() + foot_height * m_graph.spacing(lowest);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      for (Index neighbor : m_graph.neighbors(result[i])) {
-        if (m_is_taken[neighbor] == 0 && m_points[neighbor].z() <= top) {
-          m_is_taken[neighbor] = 1;
-          result.push_back(neighbor);
-        }
-      }
-    }
-    add_beside(members, lowest, top, result);
-    std::sort(result.begin(), result.end());
-    const auto is_far = [&](Index point) { return (m_points[point] - m_points[lowest]).norm() > foot_width * extent; };
-    if (std::any_of(result.begin(), result.end(), is_far)) {
-      return {*std::max_element(result.begin(), result.end(), [&](Index a, Index b) {
-        return (m_points[a] - centroid).squaredNorm() < (m_points[b] - centroid).squaredNorm();
-      })};
-    }
-    return result;
-  }
-
-  /// Adds points that are as low as a foot and not far from it: other parts of a foot that was not seen whole.
-  void add_beside(const std::vector<Index>& members, Index lowest, double top, std::vector<Index>& foot)
-  {
-    double width = 0;
-    for (Index point : foot) {
-      width = std::max(width, (m_points[point] - m_points[lowest]).norm());
-    }
-    for (Index point : members) {
-      if (m_is_taken[point] == 0 && m_points[point].z() <= top &&
-          (m_points[point] - m_points[lowest]).norm() <= widest_foot * width) {
-        m_is_taken[point] = 1;
-        foot.push_back(point);
-      }
+  for (const Index point : members) {
+    if (distance(point) <= widest_foot * width) {
+      take(point);
     }
   }
+  std::sort(foot.begin(), foot.end());
+  if (std::any_of(foot.begin(), foot.end(), [&](Index point) { return distance(point) > foot_width * extent; })) {
+    return {*std::max_element(foot.begin(), foot.end(), [&](Index a, Index b) {
+      return (points[a] - centroid).squaredNorm() < (points[b] - centroid).squaredNorm();
+    })};
+  }
+  return foot;
+}
 
-  const std::vector<Vector_3>& m_points;
-  const Neighbor_graph& m_graph;
-  const Gap_bridging& m_bridging;
-  std::vector<std::vector<Index>> m_members; // of every object
-  std::vector<char> m_is_taken;
+/// For each object the points that distances start from. Shortest paths from a single point would go round a thick
+/// trunk; from all around its foot, they go up.
+/// \param root where one of the objects, the nearest, begins; all others begin at their lowest points
+std::vector<std::vector<Index>> roots_of_objects(const std::vector<Vector_3>& points, const Neighbor_graph& graph,
+                                                 const Gap_bridging& bridging, const std::optional<Vector_3>& root)
+{
+  std::vector<std::vector<Index>> members(bridging.number_of_objects());
+  Index nearest = no_index;
+  for (Index point = 0; point < points.size(); ++point) {
+    if (bridging.object(point) == no_index) {
+      continue;
+    }
+    members[bridging.object(point)].push_back(point);
+    if (root &&
+        (nearest == no_index || (points[point] - *root).squaredNorm() < (points[nearest] - *root).squaredNorm())) {
+      nearest = point;
+    }
+  }
+  std::vector<char> is_taken(points.size(), 0);
+  std::vector<std::vector<Index>> result;
+  for (const std::vector<Index>& of_object : members) {
+    result.push_back(find_foot(points, graph, of_object, is_taken));
+  }
+  if (root) {
+    result[bridging.object(nearest)] = {nearest};
+  }
+  return result;
+}
+
+/// A node of the skeleton of a tree.
+struct Tree_node
+{
+  Vector_3 position;
+  double radius;
+  Index parent; ///< stands before it; `no_index` for a root
 };
 
 /// Makes a node of each section of a limb, one where a trunk begins, and one at the tip of each limb.
@@ -282,7 +275,7 @@ public:
   Tree_skeletonization(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root)
       : m_points(points), m_graph(points), m_bridging(points, m_graph), m_distances(points, m_graph)
   {
-    m_roots = Root_search(m_points, m_graph, m_bridging)(root);
+    m_roots = roots_of_objects(m_points, m_graph, m_bridging, root);
     measure_distances();
     Slice_growth growth(m_points, m_graph, m_distances);
     for (const std::vector<Index>& roots : m_roots) {
@@ -302,8 +295,8 @@ public:
     assign_to_nearest(m_points, m_node_of_point);
   }
 
-  /// The skeletons, with all that is reported but time.
-  Tree_skeleton release(const Point_cloud& cloud) &&;
+  /// Moves the trees to `skeleton`, in the coordinates of the input. \return the report without the time
+  Tree_report move_to(const Point_cloud& cloud, Skeleton& skeleton) &&;
 
 private:
   /// Measures twice: the first time, to find the bridge where each piece is entered.
@@ -414,7 +407,7 @@ std::vector<std::string> tree_warnings(const Tree_report& report)
   return result;
 }
 
-Tree_skeleton Tree_skeletonization::release(const Point_cloud& cloud) &&
+Tree_report Tree_skeletonization::move_to(const Point_cloud& cloud, Skeleton& skeleton) &&
 {
   Tree_report report;
   report.number_of_points = cloud.input_point.size();
@@ -447,7 +440,22 @@ Tree_skeleton Tree_skeletonization::release(const Point_cloud& cloud) &&
     report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
   }
   report.warnings = tree_warnings(report);
-  return {std::move(m_nodes->nodes), std::move(m_node_of_point), std::move(report)};
+  skeleton = {};
+  for (const Tree_node& node : m_nodes->nodes) {
+    if (node.parent != no_index) {
+      skeleton.edges.push_back({node.parent, Index(skeleton.points.size())});
+    }
+    skeleton.points.push_back(normalization.to_input(node.position));
+    skeleton.radii.push_back(normalization.unit * node.radius);
+  }
+  skeleton.is_joined.assign(skeleton.edges.size(), 0);
+  skeleton.is_opening.assign(skeleton.points.size(), 0);
+  skeleton.significance = significance_levels(skeleton);
+  skeleton.vertices.resize(skeleton.points.size());
+  for (Index number = 0; number < cloud.input_point.size(); ++number) {
+    skeleton.vertices[m_node_of_point[cloud.input_point[number]]].push_back(number);
+  }
+  return report;
 }
 
 /// How far `points` deviate from the bark: from quadrics through some of them and their neighbors, at the quarter of
@@ -474,8 +482,8 @@ double noise_of_bark(const std::vector<Vector_3>& points)
   return quantile(std::move(deviations), noise_quantile);
 }
 
-} // namespace
-
+/// Thins a scan of trees that is denser than its noise allows: between points that are nearer to each other than they
+/// are to the bark, there are branches everywhere. Points that are left out are those nearest to them. O(n log n).
 Point_cloud thin_to_noise(Point_cloud&& cloud)
 {
   // In the unit of the noise: of four synthetic trees seen from two sides, with 1.5 there are twice as many superfluous
@@ -508,9 +516,24 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
   return std::move(cloud);
 }
 
-Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root)
+} // namespace
+
+Tree_report skeletonize_trees(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root,
+                              Skeleton& skeleton)
 {
-  return Tree_skeletonization(cloud.points, root).release(cloud);
+  const auto start = std::chrono::steady_clock::now();
+  const Point_cloud cloud =
+      thin_to_noise(collect_any_points(points, CGAL::Identity_property_map<Vector_3>(), No_normals()));
+  std::optional<Vector_3> place;
+  if (root) {
+    place = cloud.normalization.from_input(*root);
+    if (!place->allFinite()) {
+      throw Input_error("the root has a coordinate that is not finite: correct it or leave it out");
+    }
+  }
+  Tree_report report = Tree_skeletonization(cloud.points, place).move_to(cloud, skeleton);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
 }
 
 } // namespace CSCD::internal

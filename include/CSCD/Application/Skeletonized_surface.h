@@ -6,18 +6,13 @@
 #ifndef CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
-#include <CGAL/boost/graph/properties.h>
-
-#include <boost/range/iterator_range_core.hpp>
-
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,20 +30,17 @@ struct Skeletonized_surface
 };
 
 /// Faces and nodes keep their order, points without a face are left out. Linear.
-/// \param node_of_point of all points of the mesh; `no_index` for none
 /// \throw Input_error as `check_triangles()` does, or if a vertex with a face belongs to no node
-inline Skeletonized_surface make_skeletonized_surface(std::vector<Vector_3> points,
-                                                      std::vector<std::array<Index, 3>> faces, CSCD::Skeleton skeleton,
-                                                      const std::vector<Index>& node_of_point)
+inline Skeletonized_surface make_skeletonized_surface(Assigned_surface&& assigned, CSCD::Skeleton skeleton)
 {
-  Checked_triangles checked = check_triangles(std::move(points), std::move(faces));
+  Checked_triangles checked = check_triangles(std::move(assigned.points), std::move(assigned.triangles));
   Skeletonized_surface surface{std::move(checked.triangles),
                                std::move(checked.pairing),
                                std::move(skeleton),
                                {},
                                std::move(checked.input_number)};
   for (const Index number : surface.number) {
-    surface.node.push_back(node_of_point[number]);
+    surface.node.push_back(assigned.node_of_vertex[number]);
     if (surface.node.back() == no_index) {
       throw Input_error("vertex " + std::to_string(surface.node.size() - 1) +
                         " of those with a face belongs to no node: use the skeleton of this mesh");
@@ -62,24 +54,7 @@ template <class TriangleMesh, class Skeleton, class VertexPointMap>
 Skeletonized_surface collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skeleton,
                                                   const VertexPointMap& point_map)
 {
-  auto arrays = read_mesh(mesh, point_map);
-  auto nodes = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
-  for (const auto vertex : arrays.descriptors) {
-    put(nodes, vertex, no_index);
-  }
-  Index node = 0;
-  for (const auto skeleton_vertex : boost::make_iterator_range(vertices(skeleton))) {
-    for (const auto vertex : skeleton[skeleton_vertex].vertices) {
-      put(nodes, vertex, node);
-    }
-    ++node;
-  }
-  std::vector<Index> node_of_point;
-  for (const auto vertex : arrays.descriptors) {
-    node_of_point.push_back(get(nodes, vertex));
-  }
-  return make_skeletonized_surface(std::move(arrays.points), std::move(arrays.faces), index_skeleton(skeleton),
-                                   node_of_point);
+  return make_skeletonized_surface(assigned_surface(mesh, skeleton, point_map), index_skeleton(skeleton));
 }
 
 } // namespace CSCD::internal

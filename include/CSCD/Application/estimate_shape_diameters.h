@@ -24,15 +24,13 @@ inline constexpr std::size_t default_number_of_diameter_smoothing_steps = 3;
 
 namespace internal {
 
-/// Twice the distances of the vertices from the parts of the skeleton that they belong to, smoothed.
-std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps);
+/// Twice the distances of the points of a mesh from the parts of the skeleton that they belong to, smoothed; 0 for
+/// vertices without a face. \param number of the points
+std::vector<double> shape_diameters(const Skeletonized_surface& surface, std::size_t number,
+                                    std::size_t number_of_smoothing_steps);
 
-/// Averages values of the vertices along the surface: in each step, half of a value becomes the mean of the neighbors.
-void smooth_along_surface(const Skeletonized_surface& surface, std::size_t number_of_steps,
-                          std::vector<double>& values);
-
-/// The means of `vertex_values` over the corners of the faces.
-std::vector<double> face_means(const Skeletonized_surface& surface, const std::vector<double>& vertex_values);
+/// The means of these over the corners of the faces.
+std::vector<double> face_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps);
 
 } // namespace internal
 
@@ -70,12 +68,10 @@ void estimate_vertex_shape_diameters(const TriangleMesh& mesh, const Skeleton& s
   check_triangle_mesh<TriangleMesh>();
   const internal::Skeletonized_surface surface =
       internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
-  const std::vector<double> values = internal::vertex_shape_diameters(surface, number_of_smoothing_steps);
-  std::size_t number = 0; // of a vertex of the mesh
-  std::size_t next = 0;   // of those with a face
+  const std::vector<double> values = internal::shape_diameters(surface, num_vertices(mesh), number_of_smoothing_steps);
+  auto value = values.begin();
   for (const auto vertex : boost::make_iterator_range(vertices(mesh))) {
-    const bool has_face = next < values.size() && surface.number[next] == number++;
-    put(diameters, vertex, has_face ? values[next++] : 0.);
+    put(diameters, vertex, *value++);
   }
 }
 
@@ -94,8 +90,7 @@ void estimate_face_shape_diameters(const TriangleMesh& mesh, const Skeleton& ske
   check_triangle_mesh<TriangleMesh>();
   const internal::Skeletonized_surface surface =
       internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
-  const std::vector<double> values =
-      internal::face_means(surface, internal::vertex_shape_diameters(surface, number_of_smoothing_steps));
+  const std::vector<double> values = internal::face_shape_diameters(surface, number_of_smoothing_steps);
   std::size_t number = 0;
   for (const auto face : boost::make_iterator_range(faces(mesh))) {
     put(diameters, face, values[number++]);

@@ -28,6 +28,12 @@ enum class Loop_kind
   constriction ///< it separates the surface where the body is thinner than on both sides
 };
 
+/// The name of a value of `Loop_kind`, as files have it.
+constexpr const char* name(Loop_kind kind)
+{
+  return kind == Loop_kind::handle ? "handle" : kind == Loop_kind::tunnel ? "tunnel" : "constriction";
+}
+
 /// A closed geodesic on a surface.
 template <class Point>
 struct Surface_loop

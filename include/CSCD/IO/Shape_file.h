@@ -14,6 +14,7 @@
 #include <fstream>
 #include <istream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CSCD {
@@ -117,6 +118,23 @@ std::ifstream open_file(const std::string& filename);
 /// The content of the file `filename`, decompressed if it ends as the name of a compressed file.
 /// \throw File_error if it cannot be read
 std::string read_content(const std::string& filename);
+
+/// \name Contents of files, to be joined by `|`
+/// @{
+inline constexpr unsigned mesh_content = 1;
+inline constexpr unsigned point_content = 2;
+inline constexpr unsigned skeleton_content = 4;
+inline constexpr unsigned any_content = mesh_content | point_content | skeleton_content;
+/// @}
+
+/// Reads what a file has of `contents`: polygons for a mesh, or else points; for a skeleton nodes, radii and lines.
+/// \param content that is not compressed
+/// \param name for messages
+/// \throw File_error if no format with `contents` has this ending, if `content` is malformed, or has none of them
+Shape_file parse_shape(std::string_view content, const std::string& ending, const std::string& name, unsigned contents);
+/// The same for a file, or for the rest of a stream. \throw File_error also if it cannot be read
+Shape_file read_shape(const std::string& filename, unsigned contents);
+Shape_file read_shape(std::istream& in, const std::string& ending, const std::string& name, unsigned contents);
 
 } // namespace internal
 

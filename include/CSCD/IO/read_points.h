@@ -18,25 +18,20 @@ namespace CSCD {
 
 namespace internal {
 
-/// Reads the points of a file, and its faces, if it has any.
-/// \throw File_error if it cannot be read, is malformed or has no points
-Shape_file read_point_file(const std::string& filename);
-Shape_file read_point_file(std::istream& in, const std::string& ending, const std::string& name);
-
 /// Writes points and normals to ranges of any type.
 template <class Point, class Vector>
 void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::vector<Vector>& normals)
 {
+  const auto convert = [](const std::vector<Vector_3>& from, auto& to) {
+    to.reserve(from.size());
+    for (const Vector_3& v : from) {
+      to.emplace_back(v.x(), v.y(), v.z());
+    }
+  };
   std::vector<Point> new_points;
   std::vector<Vector> new_normals;
-  new_points.reserve(file.points.size());
-  new_normals.reserve(file.normals.size());
-  for (const Vector_3& point : file.points) {
-    new_points.emplace_back(point.x(), point.y(), point.z());
-  }
-  for (const Vector_3& normal : file.normals) {
-    new_normals.emplace_back(normal.x(), normal.y(), normal.z());
-  }
+  convert(file.points, new_points);
+  convert(file.normals, new_normals);
   points = std::move(new_points);
   normals = std::move(new_normals);
 }
@@ -58,7 +53,7 @@ void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::
 template <class Point, class Vector>
 void read_points(const std::string& filename, std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  internal::convert_to_points(internal::read_point_file(filename), points, normals);
+  internal::convert_to_points(internal::read_shape(filename, internal::point_content), points, normals);
 }
 
 /// reads points from a stream, which for binary formats must not translate line ends; see the function for files.
@@ -68,7 +63,7 @@ template <class Point, class Vector>
 void read_points(std::istream& in, const std::string& ending, const std::string& name, std::vector<Point>& points,
                  std::vector<Vector>& normals)
 {
-  internal::convert_to_points(internal::read_point_file(in, ending, name), points, normals);
+  internal::convert_to_points(internal::read_shape(in, ending, name, internal::point_content), points, normals);
 }
 
 } // namespace CSCD

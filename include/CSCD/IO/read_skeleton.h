@@ -17,31 +17,25 @@
 #include <cstddef>
 #include <istream>
 #include <string>
-#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
 
 namespace internal {
 
-/// Reads the skeleton that a file holds.
-/// \throw File_error if its ending is not supported, or it cannot be read, is malformed or has no nodes
-Skeleton read_indexed_skeleton(const std::string& filename);
-Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
-
 /// Whether `filename` has an ending of a format for graphs alone.
 bool is_graph_filename(const std::string& filename);
 
-/// Reads points, polygons and lines, and the radii of points with lines, of a mesh, of points, of a skeleton or graph.
-/// \param content of a file that is not compressed
-/// \throw File_error if it is malformed, has nothing of what its format is for, or if no format has this ending
-Shape_file read_shape(std::string_view content, const std::string& ending, const std::string& name);
+/// The skeleton that was read from a file of such.
+Skeleton to_skeleton(Shape_file&& shape);
 
-/// Makes a graph of `indexed`, nodes and edges in their order.
+/// Replaces `skeleton` by a graph of the nodes and edges of a file, in their order. \return whether there are radii
 template <class Skeleton>
-Skeleton to_skeleton_graph(const CSCD::Skeleton& indexed)
+bool convert_to_skeleton(Shape_file&& shape, Skeleton& skeleton)
 {
+  const CSCD::Skeleton indexed = to_skeleton(std::move(shape));
   Skeleton result;
   std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> nodes;
   for (std::size_t v = 0; v < indexed.number_of_nodes(); ++v) {
@@ -64,7 +58,8 @@ Skeleton to_skeleton_graph(const CSCD::Skeleton& indexed)
     }
   }
   compute_significance(result);
-  return result;
+  skeleton = std::move(result);
+  return indexed.has_radii();
 }
 
 } // namespace internal
@@ -90,9 +85,7 @@ Skeleton to_skeleton_graph(const CSCD::Skeleton& indexed)
 template <class Skeleton>
 bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 {
-  const CSCD::Skeleton indexed = internal::read_indexed_skeleton(filename);
-  skeleton = internal::to_skeleton_graph<Skeleton>(indexed);
-  return indexed.has_radii();
+  return internal::convert_to_skeleton(internal::read_shape(filename, internal::skeleton_content), skeleton);
 }
 
 /// reads a skeleton from a stream, which for binary PLY must not translate line ends; see the function for files.
@@ -101,9 +94,7 @@ bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 template <class Skeleton>
 bool read_skeleton(std::istream& in, const std::string& ending, const std::string& name, Skeleton& skeleton)
 {
-  const CSCD::Skeleton indexed = internal::read_indexed_skeleton(in, ending, name);
-  skeleton = internal::to_skeleton_graph<Skeleton>(indexed);
-  return indexed.has_radii();
+  return internal::convert_to_skeleton(internal::read_shape(in, ending, name, internal::skeleton_content), skeleton);
 }
 
 } // namespace CSCD

@@ -54,15 +54,6 @@ struct Manifold_triangles
   Mesh_repair_report report;
 };
 
-/// Reads the polygons of a file.
-/// \throw File_error if it cannot be read, is malformed or has no polygons
-Shape_file read_polygons(const std::string& filename);
-Shape_file read_polygons(std::istream& in, const std::string& ending, const std::string& name);
-
-/// Reads the polygons or the points of a stream in the format that `ending` names.
-/// \throw File_error if it cannot be read, is malformed or has no points, or if no format has this ending
-Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name);
-
 /// Cuts polygons into triangles and repairs these.
 /// \param filename for messages
 /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
@@ -110,7 +101,7 @@ Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::st
 template <class TriangleMesh>
 Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh& mesh)
 {
-  return internal::convert_to_triangle_mesh(internal::read_polygons(filename), filename, mesh);
+  return internal::convert_to_triangle_mesh(internal::read_shape(filename, internal::mesh_content), filename, mesh);
 }
 
 /// reads a triangle mesh from a stream, which for binary formats must not translate line ends; see the function for
@@ -121,7 +112,7 @@ template <class TriangleMesh>
 Mesh_repair_report read_triangle_mesh(std::istream& in, const std::string& ending, const std::string& name,
                                       TriangleMesh& mesh)
 {
-  return internal::convert_to_triangle_mesh(internal::read_polygons(in, ending, name), name, mesh);
+  return internal::convert_to_triangle_mesh(internal::read_shape(in, ending, name, internal::mesh_content), name, mesh);
 }
 
 } // namespace CSCD

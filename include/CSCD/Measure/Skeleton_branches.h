@@ -8,6 +8,7 @@
 
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
 
@@ -16,6 +17,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <array>
@@ -118,8 +120,9 @@ struct Assigned_surface
 };
 
 /// Copies a triangle mesh and the nodes of its vertices in `skeleton`; expectedly linear.
-template <class TriangleMesh, class Skeleton>
-Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton)
+/// \throw Input_error if a face is not a triangle of three different vertices
+template <class TriangleMesh, class Skeleton, class VertexPointMap>
+Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton, const VertexPointMap& point_map)
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   Assigned_surface result;
@@ -127,16 +130,13 @@ Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skel
   std::unordered_map<Vertex, Index> number;
   number.reserve(num_vertices(mesh));
   result.points.reserve(num_vertices(mesh));
-  const auto point_map = get(CGAL::vertex_point, mesh);
   for (const Vertex v : boost::make_iterator_range(vertices(mesh))) {
     number.emplace(v, Index(number.size()));
     const auto& p = get(point_map, v);
     result.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
   for (const auto f : boost::make_iterator_range(faces(mesh))) {
-    const auto h = halfedge(f, mesh);
-    result.triangles.push_back(
-        {number.at(target(h, mesh)), number.at(target(next(h, mesh), mesh)), number.at(source(h, mesh))});
+    result.triangles.push_back(read_corners(mesh, boost::make_assoc_property_map(number), f, result.triangles.size()));
   }
   result.node_of_vertex.assign(number.size(), no_index);
   Index node = 0;
@@ -147,6 +147,13 @@ Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skel
     ++node;
   }
   return result;
+}
+
+/// The same with the points of the mesh itself.
+template <class TriangleMesh, class Skeleton>
+Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton)
+{
+  return assigned_surface(mesh, skeleton, get(CGAL::vertex_point, mesh));
 }
 
 /// The significance of every edge; empty if the skeleton has no radii.

@@ -6,6 +6,7 @@
 #ifndef CSCD_MEASURE_SIMPLIFY_SKELETON_H
 #define CSCD_MEASURE_SIMPLIFY_SKELETON_H
 
+#include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
@@ -25,19 +26,13 @@
 
 namespace CSCD {
 
-/// The changes of a simplification, and the counts of its result.
-struct Simplification_report
+/// The changes of a simplification, and the counts of its result, which has its length in the unit of the skeleton.
+struct Simplification_report : Skeleton_counts
 {
   std::size_t number_of_removed_components = 0; ///< components that were too small
   std::size_t number_of_removed_vertices = 0;   ///< vertices or points of the input that belong to no node any more
   std::size_t number_of_removed_nodes = 0;      ///< nodes of branches that were pruned
   std::size_t number_of_joined_edges = 0;       ///< edges that were added to join components
-  std::size_t number_of_nodes = 0;              ///< vertices of the graph that is left
-  std::size_t number_of_edges = 0;              ///< edges of it
-  std::size_t number_of_components = 0;         ///< connected components of it
-  std::size_t betti_number = 0;                 ///< first Betti number: edges - nodes + components
-  std::size_t number_of_tips = 0;               ///< nodes of degree 1
-  std::size_t number_of_junctions = 0;          ///< nodes of degree 3 or more
 };
 
 namespace internal {

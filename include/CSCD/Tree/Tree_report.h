@@ -71,7 +71,6 @@ struct Tree_report
   std::vector<Tree_gap> gaps;        ///< that were bridged, the shortest first
   std::size_t number_of_nodes = 0;   ///< of the skeleton
   std::size_t number_of_edges = 0;   ///< of the skeleton
-  std::size_t number_of_tips = 0;    ///< one for each branch
   /// How the sections of the branches were found, in the order of `Circle_outcome`.
   std::array<std::size_t, number_of_circle_outcomes> number_of_sections{};
   double seconds = 0;                ///< wall-clock time

@@ -9,74 +9,27 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/recognize_tree_scan.h>
-#include <CSCD/Skeleton/Branch_hierarchy.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
 namespace internal {
 
-/// A node of the skeleton of a tree.
-struct Tree_node
-{
-  Vector_3 position;
-  double radius;
-  Index parent; ///< stands before it; `no_index` for a root
-};
-
-/// The skeletons of the objects in a cloud, in the normalized coordinates of its points.
-struct Tree_skeleton
-{
-  std::vector<Tree_node> nodes;
-  std::vector<Index> node_of_point; ///< of every point of the cloud
-  Tree_report report;               ///< in the unit of the input; without time
-};
-
-/// Thins a scan of trees that is denser than its noise allows: between points that are nearer to each other than they
-/// are to the bark, there are branches everywhere. Points that are left out are those nearest to them. O(n log n).
-Point_cloud thin_to_noise(Point_cloud&& cloud);
-
-/// Skeletonizes a scan of trees; O(n log n).
-/// \param root where one of the objects begins; all others begin at their lowest points
-Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root);
-
-/// Makes the graph of a skeleton; `points` are those of the input, of type `Point`.
-template <class Skeleton, class Point, class PointRange>
-Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, const Tree_skeleton& skeleton)
-{
-  Skeleton result;
-  std::vector<decltype(add_vertex(result))> vertex;
-  for (const Tree_node& node : skeleton.nodes) {
-    vertex.push_back(add_vertex(result));
-    auto& bundle = result[vertex.back()];
-    bundle.point = to_input_point<Point>(cloud.normalization, node.position);
-    if constexpr (has_radius_v<Skeleton>) {
-      bundle.radius = cloud.normalization.unit * node.radius;
-    }
-    if (node.parent != no_index) {
-      add_edge(vertex[node.parent], vertex.back(), result);
-    }
-  }
-  for_each_descriptor(points, [&](std::size_t number, const Point_descriptor<PointRange>& descriptor) {
-    result[vertex[skeleton.node_of_point[cloud.input_point[number]]]].vertices.push_back(descriptor);
-  });
-  compute_significance(result);
-  return result;
-}
+/// Skeletonizes a scan of trees; see `CSCD::extract_tree_skeleton()`.
+/// \param skeleton is replaced; its nodes hold the numbers of the points
+Tree_report skeletonize_trees(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root,
+                              Skeleton& skeleton);
 
 } // namespace internal
 
@@ -154,22 +107,22 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::root_t>();
   static_assert(is_point_range_v<PointRange>, "CSCD: extract_tree_skeleton requires a range of points");
   check_curve_skeleton_graph<Skeleton>();
-  const auto start = std::chrono::steady_clock::now();
   const auto point_map = internal::point_map(points, np);
-  const Point_cloud cloud =
-      internal::thin_to_noise(internal::collect_any_points(points, point_map, internal::No_normals()));
+  std::vector<Vector_3> coordinates;
+  for (const auto& element : points) {
+    coordinates.push_back(internal::to_vector_3(get(point_map, element)));
+  }
   std::optional<Vector_3> root;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::root_t>::value) {
-    root = cloud.normalization.from_input(internal::to_vector_3(parameters::get_parameter(np, internal_np::root)));
-    if (!root->allFinite()) {
-      throw Input_error("the root has a coordinate that is not finite: correct it or leave it out");
-    }
+    root = internal::to_vector_3(parameters::get_parameter(np, internal_np::root));
   }
-  internal::Tree_skeleton trees = internal::skeletonize_trees(cloud, root);
+  CSCD::Skeleton trees;
+  Tree_report report = internal::skeletonize_trees(coordinates, root, trees);
+  std::vector<Point_descriptor<PointRange>> descriptors;
+  internal::for_each_descriptor(points, [&](std::size_t, const auto& point) { descriptors.push_back(point); });
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  skeleton = internal::make_tree_graph<Skeleton, Point>(points, cloud, trees);
-  trees.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return std::move(trees.report);
+  skeleton = internal::make_skeleton_graph<Skeleton, Point>(trees, descriptors);
+  return report;
 }
 
 } // namespace CSCD
