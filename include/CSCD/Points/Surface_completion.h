@@ -44,8 +44,8 @@ struct Reconstructed_surface
 class Surface_completion
 {
 public:
-  /// \param surface its triangles are oriented, no two have a side in the same direction, and their vertices are the
-  ///        points; referred to
+  /// \param surface its triangles are turned outwards, no two have a side in the same direction, and their vertices are
+  ///        the points; referred to
   /// \param normalization of the points
   Surface_completion(Reconstructed_surface& surface, const Normalization& normalization)
       : m_surface(surface), m_normalization(normalization)
