@@ -348,10 +348,23 @@ private:
       }
     }
     ears.push_back(ear(polygon, 1));
-    m_triangles.insert(m_triangles.end(), ears.begin(), ears.end());
-    for (const auto& [a, b, c] : ears) {
-      m_new_edges.insert({{a, b}, {b, c}, {c, a}});
+    add(ears);
+  }
+
+  /// Adds triangles if no edge is taken: a border may pass a vertex twice, and borders that meet at one may share
+  /// edges.
+  void add(const std::vector<std::array<Index, 3>>& triangles)
+  {
+    std::set<Edge> edges;
+    for (const auto& [a, b, c] : triangles) {
+      for (const Edge& edge : {Edge(a, b), Edge(b, c), Edge(c, a)}) {
+        if (has_edge(edge.first, edge.second) || !edges.insert(edge).second) {
+          return;
+        }
+      }
     }
+    m_triangles.insert(m_triangles.end(), triangles.begin(), triangles.end());
+    m_new_edges.merge(edges);
   }
 
   /// The corner `i` and its neighbors, counterclockwise: the polygon runs clockwise around the gap.
