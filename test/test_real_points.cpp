@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The point sets that come with CGAL: scans, scenes, noise, curves and a few points. Whether they are treated as
-// surfaces, with which topology, and in reasonable time.
+// surfaces, their topology, and the time.
 
 #include "support/convert_shape.h"
 #include "support/point_skeletons.h"

@@ -136,6 +136,37 @@ inline void orient_normals(const std::vector<Vector_3>& points, std::vector<Vect
   orientation(triangles);
 }
 
+/// The triangles of the convex hull of `points`, outwards; none if these nearly lie in a plane. O(n^4).
+/// \pre no four lie in a plane exactly; the mean squared distance from the centroid is about 1
+inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector_3>& points)
+{
+  constexpr double min_thickness = 1e-3;
+  const auto n = Index(points.size());
+  std::vector<std::array<Index, 3>> result;
+  for (Index a = 0; a < n; ++a) {
+    for (Index b = a + 1; b < n; ++b) {
+      for (Index c = b + 1; c < n; ++c) {
+        const Vector_3 normal = triangle_vector(points[a], points[b], points[c]).normalized();
+        double lowest = 0;
+        double highest = 0;
+        for (Index d = 0; d < n; ++d) {
+          const double height = d == a || d == b || d == c ? 0. : normal.dot(points[d] - points[a]);
+          lowest = std::min(lowest, height);
+          highest = std::max(highest, height);
+        }
+        if (lowest < 0 && highest > 0) {
+          continue;
+        }
+        if (highest - lowest < min_thickness) {
+          return {};
+        }
+        result.push_back({a, highest > 0 ? c : b, highest > 0 ? b : c});
+      }
+    }
+  }
+  return result;
+}
+
 /// The triangles between the points of a cloud that its neighborhoods agree on.
 struct Triangulated_cloud
 {
@@ -163,19 +194,12 @@ public:
   {
     find_outliers();
     smooth();
-    fit_sheets();
-    move_points();
-    take_normals();
-    std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
-    triangles = select_triangles();
-    orient_normals(m_points, m_normals, triangles);
-    // Oriented normals separate more sheets.
-    m_is_oriented = true;
-    triangles = select_triangles();
-    orient_normals(m_points, m_normals, triangles);
-    orient(triangles);
-    close_small_gaps(m_points, m_normals, triangles);
-    turn_outwards(triangles);
+    if (is_small() && m_cloud.normals.empty()) {
+      take_hull();
+    }
+    if (m_result.triangles.empty()) {
+      take_sheets();
+    }
     for (const Vector_3& normal : m_normals) {
       m_result.normals.push_back(m_cloud.pose.turn_back(normal));
     }
@@ -208,6 +232,9 @@ private:
   /// more harm to thin limbs than good.
   static constexpr double max_noise = 0.19;
 
+  /// Whether the neighborhoods reach around the body, and have no tangent planes.
+  bool is_small() const { return m_points.size() <= std::size_t(2) * quadric_neighbors; }
+
   static std::vector<Vector_3> posed(const Point_cloud& cloud)
   {
     std::vector<Vector_3> result;
@@ -227,29 +254,75 @@ private:
   }
 
   /// Measures the noise, and moves the points to the quadrics of their neighborhoods if triangles between them would
-  /// fold.
+  /// fold; again if these still would.
   void smooth()
   {
-    std::vector<Vector_3> projections;
-    std::vector<double> deviations;
-    for (Index point = 0; point < m_points.size(); ++point) {
-      const Quadric_fit fit = fit_quadric(m_points, point, m_neighbors.neighbors(point), m_neighbors.reach(point));
-      projections.push_back(fit.projection);
-      deviations.push_back(fit.deviation);
-    }
+    constexpr int max_number_of_rounds = 2; // a third changes nothing
     const double scale = m_cloud.pose.scale();
-    const double spacing = quantile(spacings(m_neighbors), 0.5);
-    m_result.spacing = spacing / scale;
-    m_result.noise = quantile(std::move(deviations), noise_quantile) / spacing;
-    m_noise = noise_height * m_result.noise * spacing;
-    m_result.is_smoothed = m_result.noise > max_noise;
-    if (m_result.is_smoothed) {
+    for (int round = 0; round < max_number_of_rounds; ++round) {
+      std::vector<Vector_3> projections;
+      const double spacing = quantile(spacings(m_neighbors), 0.5);
+      const double noise = fit_quadrics(projections) / spacing;
+      m_noise = noise_height * noise * spacing;
+      if (round == 0) {
+        m_result.spacing = spacing / scale;
+        m_result.noise = noise;
+      }
+      if (noise <= max_noise || is_small()) {
+        return;
+      }
+      m_result.is_smoothed = true;
       for (Index point = 0; point < m_points.size(); ++point) {
         m_result.points[point] += m_cloud.pose.turn_back(projections[point] - m_points[point]) / scale;
       }
       m_points = std::move(projections);
       m_neighbors = Neighbor_table(m_points, quadric_neighbors);
     }
+  }
+
+  /// Fits quadrics to the neighborhoods, and projects the points to them. \return the noise
+  double fit_quadrics(std::vector<Vector_3>& projections) const
+  {
+    std::vector<double> deviations;
+    for (Index point = 0; point < m_points.size(); ++point) {
+      const Quadric_fit fit = fit_quadric(m_points, point, m_neighbors.neighbors(point), m_neighbors.reach(point));
+      projections.push_back(fit.projection);
+      deviations.push_back(fit.deviation);
+    }
+    return quantile(std::move(deviations), noise_quantile);
+  }
+
+  /// Takes the convex hull of the points, if they do not lie in a plane.
+  void take_hull()
+  {
+    std::vector<Vector_3> shaken = m_points;
+    Vector_3 center = Vector_3::Zero();
+    for (Index point = 0; point < m_points.size(); ++point) {
+      shaken[point] += tie_breaker(point);
+      center += m_points[point] / double(m_points.size());
+    }
+    m_result.triangles = hull_of_few(shaken);
+    m_normals.clear();
+    for (const Vector_3& point : shaken) {
+      m_normals.push_back((point - center).normalized());
+    }
+  }
+
+  void take_sheets()
+  {
+    fit_sheets();
+    move_points();
+    take_normals();
+    std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
+    triangles = select_triangles();
+    orient_normals(m_points, m_normals, triangles);
+    // Oriented normals separate more sheets.
+    m_is_oriented = true;
+    triangles = select_triangles();
+    orient_normals(m_points, m_normals, triangles);
+    orient(triangles);
+    close_small_gaps(m_points, m_normals, triangles);
+    turn_outwards(triangles);
   }
 
   void fit_sheets()
@@ -269,9 +342,11 @@ private:
       const Vector_3 offset = m_fits[point].projection - m_points[point];
       const double length = offset.norm();
       m_points[point] += length > m_noise ? Vector_3(m_noise / length * offset) : offset;
-      m_points[point] += jitter * m_neighbors.reach(point) * pseudo_random_vector(point);
+      m_points[point] += tie_breaker(point);
     }
   }
+
+  Vector_3 tie_breaker(Index point) const { return jitter * m_neighbors.reach(point) * pseudo_random_vector(point); }
 
   std::vector<std::array<Index, 3>> select_triangles() const
   {
@@ -280,6 +355,7 @@ private:
 
   void take_normals()
   {
+    m_normals.clear();
     m_normals.reserve(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
       const bool is_known = !m_cloud.normals.empty() && m_cloud.normals[point] != Vector_3::Zero();

@@ -26,24 +26,24 @@
 
 namespace CSCD::internal {
 
-/// Refuses triangles that are not those of a surface. The neighborhoods of few points reach around the body, and leave
-/// gaps.
+/// Refuses triangles that are not those of a surface.
 inline void check_border(const Point_cloud& cloud, const Reconstructed_surface& surface)
 {
   constexpr double max_border_edges = 0.6; // for each vertex: curves have about one
-  constexpr std::size_t few_points = 2 * quadric_neighbors;
+  constexpr double min_used_part = 0.5;    // of the points: most of those along a curve have no triangle
   const std::size_t number_of_vertices = surface.triangles.points.size();
   const std::size_t number_of_edges = surface.report.number_of_border_edges;
-  if (number_of_vertices > 0 &&
-      (cloud.points.size() <= few_points || double(number_of_edges) <= max_border_edges * double(number_of_vertices))) {
+  if (double(number_of_vertices) > min_used_part * double(cloud.points.size()) &&
+      double(number_of_edges) <= max_border_edges * double(number_of_vertices)) {
     return;
   }
   const std::string what = "the points do not sample a surface: ";
   if (lie_in_slices(cloud.points)) {
     throw Input_error(what + "they lie along curves in parallel planes, which are too far apart; add planes between");
   }
-  throw Surface_error(what + "what connects them has " + std::to_string(number_of_edges) + " border edges at " +
-                      std::to_string(number_of_vertices) + " points; sample the surface more densely");
+  throw Surface_error(what + "the triangles between them have " + std::to_string(number_of_vertices) +
+                      " vertices for " + std::to_string(cloud.points.size()) + " points, and " +
+                      std::to_string(number_of_edges) + " border edges; sample the surface more densely");
 }
 
 CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
