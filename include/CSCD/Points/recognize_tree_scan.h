@@ -159,6 +159,30 @@ inline bool lie_in_slices(const std::vector<Vector_3>& points)
   return forms.normal.dot(*highest - *lowest) > min_height;
 }
 
+/// Whether points are along curves that are far from each other, so that they sample no surface: around nearly all of
+/// them, within some 25 times their distance on the curve, they are not wider than noise. Scanner lines that are ten
+/// times as far apart as their points lie side by side there, and a tube is wider. Linear.
+/// \param spacing mean distance of six neighbors, which is twice the distance along a curve
+inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing)
+{
+  constexpr double ball_radius = 12;       // in spacings
+  constexpr double max_width = 0.75;       // standard deviation across, in spacings
+  constexpr std::size_t probes = 300;      // balls: the part of them is then known to about a fiftieth
+  constexpr std::size_t min_points = 8;    // fewer show no form
+  constexpr double min_part = 0.9;         // of the balls
+  constexpr std::size_t min_number = 1000; // fewer take little time, whatever their form
+  if (points.size() < min_number || !(spacing > 0)) {
+    return false;
+  }
+  const double radius = ball_radius * spacing;
+  const double max_variance = max_width * max_width / (ball_radius * ball_radius);
+  const std::vector<std::vector<Vector_3>> balls = offsets_around(points, thin(points, radius), probes, radius);
+  const auto is_curve = [&](const std::vector<Vector_3>& ball) {
+    return ball.size() >= min_points && axes_of(ball).values[1] < max_variance;
+  };
+  return double(std::count_if(balls.begin(), balls.end(), is_curve)) > min_part * double(balls.size());
+}
+
 } // namespace CSCD::internal
 
 #endif // CSCD_POINTS_RECOGNIZE_TREE_SCAN_H

@@ -26,6 +26,15 @@
 
 namespace CSCD::internal {
 
+[[noreturn]] inline void refuse(const Point_cloud& cloud, const std::string& reason)
+{
+  const std::string what = "the points do not sample a surface: ";
+  if (lie_in_slices(cloud.points)) {
+    throw Input_error(what + "they lie along curves in parallel planes, which are too far apart; add planes between");
+  }
+  throw Surface_error(what + reason);
+}
+
 /// Refuses triangles that are not those of a surface.
 inline void check_border(const Point_cloud& cloud, const Reconstructed_surface& surface)
 {
@@ -33,17 +42,12 @@ inline void check_border(const Point_cloud& cloud, const Reconstructed_surface& 
   constexpr double min_used_part = 0.5;    // of the points: most of those along a curve have no triangle
   const std::size_t number_of_vertices = surface.triangles.points.size();
   const std::size_t number_of_edges = surface.report.number_of_border_edges;
-  if (double(number_of_vertices) > min_used_part * double(cloud.points.size()) &&
-      double(number_of_edges) <= max_border_edges * double(number_of_vertices)) {
-    return;
+  if (double(number_of_vertices) <= min_used_part * double(cloud.points.size()) ||
+      double(number_of_edges) > max_border_edges * double(number_of_vertices)) {
+    refuse(cloud, "the triangles between them have " + std::to_string(number_of_vertices) + " vertices for " +
+                      std::to_string(cloud.points.size()) + " points, and " + std::to_string(number_of_edges) +
+                      " border edges; sample the surface more densely");
   }
-  const std::string what = "the points do not sample a surface: ";
-  if (lie_in_slices(cloud.points)) {
-    throw Input_error(what + "they lie along curves in parallel planes, which are too far apart; add planes between");
-  }
-  throw Surface_error(what + "the triangles between them have " + std::to_string(number_of_vertices) +
-                      " vertices for " + std::to_string(cloud.points.size()) + " points, and " +
-                      std::to_string(number_of_edges) + " border edges; sample the surface more densely");
 }
 
 CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
@@ -64,6 +68,9 @@ CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
   report.number_of_outliers = triangulated.number_of_outliers;
   Surface_completion complete(result, cloud.normalization);
   complete.prepare();
+  if (lie_along_curves(cloud.points, triangulated.spacing)) {
+    refuse(cloud, "they lie along curves; sample the surface more densely between them");
+  }
   check_border(cloud, result);
   complete();
   const std::vector<Index>& point = result.point_of_vertex;
