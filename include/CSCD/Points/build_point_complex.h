@@ -46,7 +46,11 @@ inline Vector_3 mirrored_normal(const Vector_3& normal, const Vector_3& edge)
   return normal - 2 * edge.dot(normal) / edge.squaredNorm() * edge;
 }
 
-/// Turns normals along a spanning tree.
+/// Turns normals so that they agree with those of neighbors, starting from the first vertex of each component of some
+/// triangles: along a spanning tree of the edges at which they differ least from what an arc would have (after H. Hoppe
+/// et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation of
+/// normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to the
+/// next. O(n log n).
 class Normal_orientation
 {
 public:
@@ -124,45 +128,39 @@ private:
   std::vector<Index> m_stack;
 };
 
-/// Turns `normals` so that they agree with those of neighbors, starting from the first vertex of each component of
-/// `triangles`: along a spanning tree of the edges at which they differ least from what an arc would have (after H.
-/// Hoppe et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation
-/// of normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to
-/// the next. O(n log n).
-inline void orient_normals(const std::vector<Vector_3>& points, std::vector<Vector_3>& normals,
-                           const std::vector<std::array<Index, 3>>& triangles)
-{
-  Normal_orientation orientation(points, normals);
-  orientation(triangles);
-}
-
-/// The triangles of the convex hull of `points`, outwards; none if these nearly lie in a plane. O(n^4).
+/// The triangles of the convex hull of `points`, outwards; none if some points are inside, or all nearly lie in a
+/// plane. O(n^4).
 /// \pre no four lie in a plane exactly; the mean squared distance from the centroid is about 1
 inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector_3>& points)
 {
   constexpr double min_thickness = 1e-3;
   const auto n = Index(points.size());
   std::vector<std::array<Index, 3>> result;
+  std::vector<double> depth(points.size(), 1); // below the nearest side of the hull
   for (Index a = 0; a < n; ++a) {
     for (Index b = a + 1; b < n; ++b) {
       for (Index c = b + 1; c < n; ++c) {
         const Vector_3 normal = triangle_vector(points[a], points[b], points[c]).normalized();
-        double lowest = 0;
-        double highest = 0;
+        std::vector<double> height;
         for (Index d = 0; d < n; ++d) {
-          const double height = d == a || d == b || d == c ? 0. : normal.dot(points[d] - points[a]);
-          lowest = std::min(lowest, height);
-          highest = std::max(highest, height);
+          height.push_back(d == a || d == b || d == c ? 0. : normal.dot(points[d] - points[a]));
         }
-        if (lowest < 0 && highest > 0) {
+        const auto [lowest, highest] = std::minmax_element(height.begin(), height.end());
+        if (*lowest < 0 && *highest > 0) {
           continue;
         }
-        if (highest - lowest < min_thickness) {
+        if (*highest - *lowest < min_thickness) {
           return {};
         }
-        result.push_back({a, highest > 0 ? c : b, highest > 0 ? b : c});
+        for (Index d = 0; d < n; ++d) {
+          depth[d] = std::min(depth[d], std::abs(height[d]));
+        }
+        result.push_back({a, *highest > 0 ? c : b, *highest > 0 ? b : c});
       }
     }
+  }
+  if (*std::max_element(depth.begin(), depth.end()) > min_thickness) {
+    return {};
   }
   return result;
 }
@@ -315,13 +313,13 @@ private:
     take_normals();
     std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
     triangles = select_triangles();
-    orient_normals(m_points, m_normals, triangles);
+    Normal_orientation(m_points, m_normals)(triangles);
     // Oriented normals separate more sheets.
     m_is_oriented = true;
     triangles = select_triangles();
-    orient_normals(m_points, m_normals, triangles);
+    Normal_orientation(m_points, m_normals)(triangles);
     orient(triangles);
-    close_small_gaps(m_points, m_normals, triangles);
+    Gap_closing(m_points, m_normals, triangles)();
     turn_outwards(triangles);
   }
 
@@ -411,12 +409,10 @@ private:
 
   Local_triangle proposal(Index p, Index q, Index r) const
   {
-    const Vector_3 a = m_points[q] - m_points[p];
-    const Vector_3 b = m_points[r] - m_points[p];
     Local_triangle result;
     result.vertices = {p, q, r};
     std::sort(result.vertices.begin(), result.vertices.end());
-    result.size = a.squaredNorm() * b.squaredNorm() * (a - b).squaredNorm() / (4 * a.cross(b).squaredNorm());
+    result.size = squared_circumradius(m_points[p], m_points[q], m_points[r]);
     return result;
   }
 
