@@ -6,9 +6,9 @@
 #ifndef CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 #define CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 
+#include "Tree/insert_points.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
-#include <CSCD/Points/insert_points.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -42,7 +41,7 @@ public:
   explicit Neighbor_graph(const std::vector<Vector_3>& points)
   {
     const Neighbor_table table(points, number_of_neighbors);
-    measure_spacing(points, table);
+    measure_spacing(table);
     for (Index a = 0; a < points.size(); ++a) {
       for (Index i = 0; i < table.number(); ++i) {
         const Index b = table.neighbors(a).begin()[i];
@@ -73,23 +72,15 @@ public:
 private:
   /// With fewer neighbors, random samplings fall apart; more reach over to the next twig.
   static constexpr Index number_of_neighbors = 16;
-  /// The neighbors whose mean distance is the spacing: about as many as an even sampling has around.
-  static constexpr Index spacing_neighbors = 6;
   /// Of an edge, relative to the lesser spacing at its ends.
   static constexpr double longest_edge = 2.5;
 
-  void measure_spacing(const std::vector<Vector_3>& points, const Neighbor_table& table)
+  void measure_spacing(const Neighbor_table& table)
   {
-    const auto number_of_points = Index(points.size());
-    const Index number = std::min(spacing_neighbors, table.number());
-    std::vector<double> mean(number_of_points, 0.);
-    for (Index point = 0; number > 0 && point < number_of_points; ++point) {
-      const double* first = table.distances(point).begin();
-      mean[point] = std::accumulate(first, first + number, 0.) / number;
-    }
-    m_spacing.resize(number_of_points);
+    const std::vector<double> mean = spacings(table);
+    m_spacing.resize(mean.size());
     std::vector<double> around;
-    for (Index point = 0; point < number_of_points; ++point) {
+    for (Index point = 0; point < mean.size(); ++point) {
       around.assign(1, mean[point]);
       for (Index neighbor : table.neighbors(point)) {
         around.push_back(mean[neighbor]);

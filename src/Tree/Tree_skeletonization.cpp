@@ -471,7 +471,7 @@ double noise_of_bark(const std::vector<Vector_3>& points)
     const auto point = Index(place);
     double squared_reach = 0;
     neighbors.clear();
-    tree.for_each_nearest(points[point], Cloud_sampling::number_of_neighbors + 1, [&](Index neighbor, double square) {
+    tree.for_each_nearest(points[point], quadric_neighbors + 1, [&](Index neighbor, double square) {
       if (neighbor != point) {
         neighbors.push_back(neighbor);
         squared_reach = square;

@@ -17,24 +17,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
-inline Vector_3 pseudo_random_vector(Index point)
-{
-  std::minstd_rand random(point + 1);
-  random.discard(2); // the first numbers of neighboring seeds are alike
-  Vector_3 result = Vector_3::Zero();
-  for (double& coordinate : result) {
-    coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
-  }
-  return result;
-}
+/// The neighbors that show the direction of a surface that is sampled at random: more reach over to the next limb.
+inline constexpr Index quadric_neighbors = 16;
 
 /// A quadratic height field, fitted by least squares over the plane of a neighborhood, at its central point.
 struct Quadric_fit
@@ -108,17 +97,6 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   return result;
 }
 
-/// Fits a quadric around each of `points`; linear in the number of neighbors.
-inline std::vector<Quadric_fit> fit_quadrics(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
-{
-  std::vector<Quadric_fit> result;
-  result.reserve(points.size());
-  for (Index point = 0; point < points.size(); ++point) {
-    result.push_back(fit_quadric(points, point, neighbors.neighbors(point), neighbors.reach(point)));
-  }
-  return result;
-}
-
 /// The value that the part `fraction` of `values` does not exceed; linear.
 /// \pre there are values, and `fraction` is less than 1
 inline double quantile(std::vector<double> values, double fraction)
@@ -128,109 +106,24 @@ inline double quantile(std::vector<double> values, double fraction)
   return *place;
 }
 
-/// Measures of the sampling of a surface by points: their spacing and noise, which of them are outliers, and where the
-/// points would be without noise.
-class Cloud_sampling
+/// Whether `point` is far from all others, compared with how far those are from each other.
+inline bool is_outlier(const Neighbor_table& neighbors, Index point)
 {
-public:
-  /// The size of neighborhoods that the measures are made for: fewer points do not show the direction of a surface that
-  /// is sampled at random, more reach over to the next limb.
-  static constexpr Index number_of_neighbors = 16;
-
-  /// Measures `points`, linear in the number of neighbors.
-  /// \param neighbors `number_of_neighbors` of every point, or as many as there are; at least one
-  Cloud_sampling(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
-      : m_points(points), m_fits(fit_quadrics(points, neighbors))
-  {
-    measure_spacing(neighbors);
-    reduce_noise();
-    find_outliers(neighbors);
+  constexpr double outlier_reach = 4; // how far the neighborhood reaches, relative to those of the neighbors
+  std::vector<double> reaches;
+  for (const Index neighbor : neighbors.neighbors(point)) {
+    reaches.push_back(neighbors.reach(neighbor));
   }
-
-  /// The median over the points of the mean distance to the nearest six, in the unit of the points.
-  double spacing() const { return m_spacing; }
-  /// The deviation of the points from a smooth surface, relative to the spacing.
-  double noise() const { return m_noise; }
-  /// Whether the noise is so large that triangles between the points would fold.
-  bool is_smoothed() const { return m_noise > max_noise; }
-  /// The points; those on the fitted surfaces if the noise is large.
-  const std::vector<Vector_3>& points() const { return m_points; }
-  /// Whether a point is far from all others, compared with how far those are from each other.
-  bool is_outlier(Index point) const { return m_is_outlier[point] != 0; }
-  std::size_t number_of_outliers() const
-  {
-    return std::size_t(std::count(m_is_outlier.begin(), m_is_outlier.end(), char(1)));
-  }
-
-private:
-  /// The spacing at a point is the mean distance of this many neighbors: as many as an even sampling has around, about.
-  static constexpr Index spacing_neighbors = 6;
-  /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
-  static constexpr double outlier_reach = 4;
-  /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
-  static constexpr double noise_quantile = 0.25;
-  /// Points are moved if their noise, relative to their spacing, exceeds this. Clouds of thirteen shapes without noise
-  /// have at most 0.12, with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
-  static constexpr double max_noise = 0.19;
-
-  void measure_spacing(const Neighbor_table& neighbors)
-  {
-    const Index number = std::min(spacing_neighbors, neighbors.number());
-    std::vector<double> spacing;
-    spacing.reserve(m_points.size());
-    for (Index point = 0; point < m_points.size(); ++point) {
-      const double* first = neighbors.distances(point).begin();
-      spacing.push_back(std::accumulate(first, first + number, 0.) / number);
-    }
-    m_spacing = quantile(std::move(spacing), 0.5);
-  }
-
-  /// Estimates the noise, and takes it out of the points if it is large.
-  void reduce_noise()
-  {
-    std::vector<double> deviations;
-    deviations.reserve(m_fits.size());
-    for (const Quadric_fit& fit : m_fits) {
-      deviations.push_back(fit.deviation);
-    }
-    m_noise = quantile(std::move(deviations), noise_quantile) / m_spacing;
-    if (is_smoothed()) {
-      for (Index point = 0; point < m_points.size(); ++point) {
-        m_points[point] = m_fits[point].projection;
-      }
-    }
-  }
-
-  void find_outliers(const Neighbor_table& neighbors)
-  {
-    m_is_outlier.assign(m_points.size(), 0);
-    std::vector<double> reaches;
-    for (Index point = 0; point < m_points.size(); ++point) {
-      reaches.clear();
-      for (Index neighbor : neighbors.neighbors(point)) {
-        reaches.push_back(neighbors.reach(neighbor));
-      }
-      if (neighbors.reach(point) > outlier_reach * quantile(reaches, 0.5)) {
-        m_is_outlier[point] = 1;
-      }
-    }
-  }
-
-  std::vector<Vector_3> m_points;
-  std::vector<Quadric_fit> m_fits;
-  std::vector<char> m_is_outlier; // of every point
-  double m_spacing = 0;
-  double m_noise = 0;
-};
+  return neighbors.reach(point) > outlier_reach * quantile(std::move(reaches), 0.5);
+}
 
 /// Fits a plane to the nearest neighbors of a point, to as many as are flattest, and from there a quadric to those
 /// neighbors that are not far off this plane: not to those on another sheet.
 class Sheet_fitting
 {
 public:
-  /// \param noise_height heights over the plane that noise makes
-  Sheet_fitting(const std::vector<Vector_3>& points, const Neighbor_table& neighbors, double noise_height)
-      : m_points(points), m_neighbors(neighbors), m_noise_height(noise_height)
+  Sheet_fitting(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
+      : m_points(points), m_neighbors(neighbors)
   {
   }
 
@@ -242,7 +135,7 @@ public:
     double reach = 0;
     for (const Index neighbor : m_neighbors.neighbors(point)) {
       const Vector_3 edge = m_points[neighbor] - m_points[point];
-      if (std::abs(edge.dot(normal)) <= std::max(m_noise_height, max_slope * edge.norm())) {
+      if (std::abs(edge.dot(normal)) <= max_slope * edge.norm()) {
         m_sheet.push_back(neighbor);
         reach = std::max(reach, edge.norm());
       }
@@ -293,7 +186,6 @@ private:
 
   const std::vector<Vector_3>& m_points;
   const Neighbor_table& m_neighbors;
-  double m_noise_height;
   std::vector<Index> m_sheet; // neighbors that seem to be on the same one
 };
 

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -28,8 +27,8 @@ struct Joined_gap
   double width;
 };
 
-/// Orients the fragments of a surface with borders outwards, and joins fragments whose borders come near each other. A
-/// join is a band of two triangles from border to border: the two borders become one, which can then be closed like any
+/// Joins fragments of a surface whose borders come near each other. Nothing is turned. A join
+/// is a band of two triangles from border to border: the two borders become one, which can then be closed like any
 /// other.
 class Fragment_joining
 {
@@ -40,10 +39,9 @@ public:
   {
     find_fragments();
     find_borders();
-    measure_fragments();
   }
 
-  /// Orients and joins. \return the gaps, in the order of bridging
+  /// Joins the fragments. \return the gaps, in the order of bridging
   /// \post the pairing is invalid
   std::vector<Joined_gap> operator()()
   {
@@ -63,7 +61,6 @@ public:
     }
     m_triangles.faces.resize(kept);
     m_triangles.faces.insert(m_triangles.faces.end(), m_bands.begin(), m_bands.end());
-    turn_faces();
     m_triangles.first_hole_filling_face = m_triangles.faces.size();
     return result;
   }
@@ -86,9 +83,6 @@ private:
   static constexpr double min_border = 3;
   /// ... and relative to the reach of the neighbors: a shorter border is only a hole in the sampling.
   static constexpr double min_border_in_reaches = 4;
-  /// Volumes below this, relative to the area to the power 3/2, do not show which side is outside: a half ball has
-  /// 0.13.
-  static constexpr double reliable_volume = 0.02;
 
   struct Candidate
   {
@@ -111,17 +105,11 @@ private:
       sets.join(face[0], face[2]);
     }
     m_fragment = sets.numbers(m_number_of_fragments);
-    m_vertices_of_fragment = Compressed_rows<Index>(m_number_of_fragments, [this](const auto& add) {
-      for (Index vertex = 0; vertex < m_fragment.size(); ++vertex) {
-        add(m_fragment[vertex], vertex);
-      }
-    });
     m_groups = Disjoint_sets(m_number_of_fragments);
-    m_members.resize(m_number_of_fragments);
-    for (Index fragment = 0; fragment < m_number_of_fragments; ++fragment) {
-      m_members[fragment].push_back(fragment);
+    m_size.assign(m_number_of_fragments, 0);
+    for (const std::array<Index, 3>& face : m_triangles.faces) {
+      ++m_size[m_fragment[face[0]]];
     }
-    m_is_turned.assign(m_number_of_fragments, 0);
     m_is_removed.assign(m_triangles.faces.size(), 0);
     m_faces_of_vertex = Compressed_rows<Index>(m_triangles.points.size(), [this](const auto& add) {
       for (Index f = 0; f < m_triangles.faces.size(); ++f) {
@@ -135,90 +123,13 @@ private:
   /// Borders run so that the faces that close them lie to their left.
   void find_borders()
   {
-    m_border_vertices.resize(m_number_of_fragments);
     m_has_border.assign(m_number_of_fragments, 0);
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
       if (m_pairing.twin(h) == no_index) {
         m_next[target(h)] = origin(h);
         m_previous[origin(h)] = target(h);
-        m_border_vertices[m_fragment[origin(h)]].push_back(origin(h));
         m_has_border[m_fragment[origin(h)]] = 1;
       }
-    }
-  }
-
-  /// Measures area, volume and normals; turns fragments with a negative volume that is beyond doubt.
-  void measure_fragments()
-  {
-    std::vector<double> area(m_number_of_fragments, 0.);
-    std::vector<double> volume(m_number_of_fragments, 0.);
-    m_size.assign(m_number_of_fragments, 0);
-    std::vector<Vector_3> reference(m_number_of_fragments, Vector_3::Zero());
-    m_normal.assign(m_triangles.points.size(), Vector_3::Zero());
-    std::vector<char> has_reference(m_number_of_fragments, 0);
-    const auto add_volume = [&](Index fragment, const Vector_3& a, const Vector_3& b, const Vector_3& c) {
-      const Vector_3& o = reference[fragment];
-      volume[fragment] += (a - o).dot((b - o).cross(c - o)) / 6;
-    };
-    for (const std::array<Index, 3>& face : m_triangles.faces) {
-      const Index fragment = m_fragment[face[0]];
-      const Vector_3& a = m_triangles.points[face[0]];
-      if (!has_reference[fragment]) {
-        has_reference[fragment] = 1;
-        reference[fragment] = a;
-      }
-      const Vector_3& b = m_triangles.points[face[1]];
-      const Vector_3& c = m_triangles.points[face[2]];
-      const Vector_3 vector = triangle_vector(a, b, c);
-      area[fragment] += vector.norm() / 2;
-      add_volume(fragment, a, b, c);
-      ++m_size[fragment];
-      for (Index corner : face) {
-        m_normal[corner] += vector;
-      }
-    }
-    for (Index fragment = 0; fragment < m_number_of_fragments; ++fragment) {
-      close_volume(fragment, add_volume);
-      const double relative_volume = volume[fragment] / (area[fragment] * std::sqrt(area[fragment]));
-      m_is_sure.push_back(std::abs(relative_volume) > reliable_volume);
-      if (relative_volume < 0 && m_is_sure.back()) {
-        turn(fragment);
-      }
-    }
-  }
-
-  /// Adds the fans from the centers of the borders.
-  template <class AddVolume>
-  void close_volume(Index fragment, const AddVolume& add_volume)
-  {
-    std::vector<char>& is_visited = m_is_visited;
-    is_visited.resize(m_triangles.points.size(), 0);
-    for (Index start : m_border_vertices[fragment]) {
-      if (is_visited[start]) {
-        continue;
-      }
-      Vector_3 center = Vector_3::Zero();
-      double size = 0;
-      for (Index v = start; !is_visited[v]; v = m_next[v]) {
-        is_visited[v] = 1;
-        center += m_triangles.points[v];
-        ++size;
-      }
-      center /= size;
-      Index v = start;
-      do {
-        add_volume(fragment, m_triangles.points[v], m_triangles.points[m_next[v]], center);
-        v = m_next[v];
-      } while (v != start);
-    }
-  }
-
-  void turn(Index fragment)
-  {
-    m_is_turned[fragment] ^= 1;
-    for (const Index vertex : m_vertices_of_fragment[fragment]) {
-      std::swap(m_next[vertex], m_previous[vertex]);
-      m_normal[vertex] = -m_normal[vertex];
     }
   }
 
@@ -248,9 +159,7 @@ private:
   /// Whether a group is too small to be a body of its own.
   bool is_debris(Index group) const
   {
-    const bool is_open = std::any_of(m_members[group].begin(), m_members[group].end(),
-                                     [this](Index fragment) { return m_has_border[fragment] != 0; });
-    return m_size[group] <= (is_open ? max_open_debris : max_closed_debris);
+    return m_size[group] <= (m_has_border[group] != 0 ? max_open_debris : max_closed_debris);
   }
 
   /// Whether a border of at least this length runs through `vertex`.
@@ -285,7 +194,7 @@ private:
     if (!is_small && !(has_border_of(gap.a, border) && has_border_of(gap.b, border))) {
       return false;
     }
-    unite(group_a, group_b, gap.a, gap.b);
+    unite(group_a, group_b);
     const Vector_3 way = m_triangles.points[gap.b] - m_triangles.points[gap.a];
     const Index end_a = open(gap.a, way);
     const Index end_b = open(gap.b, -way);
@@ -304,7 +213,7 @@ private:
     double greatest = 0;
     Index on_border = no_index;
     for (const Index f : m_faces_of_vertex[vertex]) {
-      const std::array<Index, 3> face = oriented(f);
+      const std::array<Index, 3>& face = m_triangles.faces[f];
       const auto border = std::find_if(face.begin(), face.end(), [this](Index v) { return m_next[v] != no_index; });
       if (border != face.end()) {
         on_border = *border;
@@ -322,7 +231,7 @@ private:
       return on_border;
     }
     m_is_removed[best] = 1;
-    const std::array<Index, 3> face = oriented(best);
+    const std::array<Index, 3>& face = m_triangles.faces[best];
     for (std::size_t i = 0; i < 3; ++i) {
       m_next[face[i]] = face[(i + 1) % 3];
       m_previous[face[(i + 1) % 3]] = face[i];
@@ -330,30 +239,13 @@ private:
     return vertex;
   }
 
-  std::array<Index, 3> oriented(Index f) const
+  void unite(Index group_a, Index group_b)
   {
-    const std::array<Index, 3>& face = m_triangles.faces[f];
-    return m_is_turned[m_fragment[face[0]]] ? std::array<Index, 3>{face[0], face[2], face[1]} : face;
-  }
-
-  /// Makes one group of two, which meet at `a` and `b`, oriented alike.
-  void unite(Index group_a, Index group_b, Index a, Index b)
-  {
-    if (!m_is_sure[group_a] || !m_is_sure[group_b]) {
-      // The group whose orientation is not sure, or the smaller one, follows the other.
-      const auto rank = [this](Index group) { return std::make_pair(m_is_sure[group], m_size[group]); };
-      if (m_normal[a].dot(m_normal[b]) < 0) {
-        for (Index fragment : m_members[rank(group_a) < rank(group_b) ? group_a : group_b]) {
-          turn(fragment);
-        }
-      }
-    }
     m_groups.join(group_a, group_b);
     const Index joined = m_groups.find(group_a);
     const Index other = joined == group_a ? group_b : group_a;
-    m_members[joined].insert(m_members[joined].end(), m_members[other].begin(), m_members[other].end());
-    m_is_sure[joined] = char(m_is_sure[joined] | m_is_sure[other]);
     m_size[joined] += m_size[other];
+    m_has_border[joined] = char(m_has_border[joined] | m_has_border[other]);
   }
 
   /// Bridges the gap between `a` and `b` by a quadrangle with an edge of either border.
@@ -367,11 +259,11 @@ private:
     const Index after_p = m_next[p];
     const Index after_q = m_next[q];
     if (distance(p, q) < distance(after_p, after_q)) {
-      add_face({p, after_p, q});
-      add_face({p, q, after_q});
+      m_bands.push_back({p, after_p, q});
+      m_bands.push_back({p, q, after_q});
     } else {
-      add_face({p, after_p, after_q});
-      add_face({after_p, q, after_q});
+      m_bands.push_back({p, after_p, after_q});
+      m_bands.push_back({after_p, q, after_q});
     }
     m_next[p] = after_q;
     m_previous[after_q] = p;
@@ -379,42 +271,17 @@ private:
     m_previous[after_p] = q;
   }
 
-  /// Adds a face that will be turned along with the fragment of its first vertex.
-  void add_face(std::array<Index, 3> face)
-  {
-    if (m_is_turned[m_fragment[face[0]]]) {
-      std::swap(face[1], face[2]);
-    }
-    m_bands.push_back(face);
-  }
-
-  void turn_faces()
-  {
-    for (std::array<Index, 3>& face : m_triangles.faces) {
-      if (m_is_turned[m_fragment[face[0]]]) {
-        std::swap(face[1], face[2]);
-      }
-    }
-  }
-
   Indexed_triangles& m_triangles;
   const Halfedge_pairing& m_pairing;
-  std::vector<Index> m_fragment;                     // of every vertex
-  std::vector<Index> m_next;                         // of the vertices on borders
-  std::vector<Index> m_previous;                     // likewise
-  std::vector<double> m_reach;                       // how far the neighbors of every vertex reach
-  std::vector<Vector_3> m_normal;                    // of every vertex
-  std::vector<std::vector<Index>> m_border_vertices; // of every fragment
+  std::vector<Index> m_fragment; // of every vertex
+  std::vector<Index> m_next;     // of the vertices on borders
+  std::vector<Index> m_previous; // likewise
+  std::vector<double> m_reach;   // how far the neighbors of every vertex reach
   Index m_number_of_fragments = 0;
-  Disjoint_sets m_groups;                    // of fragments that are joined
-  std::vector<std::vector<Index>> m_members; // of the groups
-  std::vector<std::size_t> m_size;           // faces of the groups
-  std::vector<char> m_is_sure;               // whether the orientation of a group is beyond doubt
-  std::vector<char> m_has_border;            // of every fragment, before any face was opened
-  std::vector<char> m_is_turned;             // of every fragment
-  std::vector<char> m_is_visited;
-  std::vector<char> m_is_removed; // of every face
-  Compressed_rows<Index> m_vertices_of_fragment;
+  Disjoint_sets m_groups;          // of fragments that are joined
+  std::vector<std::size_t> m_size; // faces of the groups
+  std::vector<char> m_has_border;  // of the groups, before any face was opened
+  std::vector<char> m_is_removed;  // of every face
   Compressed_rows<Index> m_faces_of_vertex;
   std::vector<std::array<Index, 3>> m_bands;
 };

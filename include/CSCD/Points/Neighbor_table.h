@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -119,7 +120,7 @@ public:
   /// Finds the `number` nearest neighbors of each of `points`, or as many as there are; O(number n log n) in
   /// expectation.
   Neighbor_table(const std::vector<Vector_3>& points, Index number)
-      : m_number(std::min<Index>(number, points.empty() ? 0 : Index(points.size()) - 1))
+      : m_size(Index(points.size())), m_number(std::min<Index>(number, points.empty() ? 0 : m_size - 1))
   {
     m_neighbors.reserve(points.size() * m_number);
     m_distances.reserve(points.size() * m_number);
@@ -139,22 +140,8 @@ public:
     }
   }
 
-  /// The table of the `number` nearest neighbors of each point, or as many as there are; linear.
-  Neighbor_table nearest(Index number) const
-  {
-    Neighbor_table result;
-    result.m_number = std::min(number, m_number);
-    for (std::size_t begin = 0; begin < m_neighbors.size(); begin += m_number) {
-      const auto append = [&](auto& to, const auto& from) {
-        to.insert(to.end(), from.begin() + std::ptrdiff_t(begin),
-                  from.begin() + std::ptrdiff_t(begin + result.m_number));
-      };
-      append(result.m_neighbors, m_neighbors);
-      append(result.m_distances, m_distances);
-    }
-    return result;
-  }
-
+  /// The number of points.
+  Index size() const { return m_size; }
   /// The number of neighbors of each point.
   Index number() const { return m_number; }
   /// The neighbors of `point`, the nearest first.
@@ -174,12 +161,25 @@ public:
   double reach(Index point) const { return m_distances[(std::size_t(point) + 1) * m_number - 1]; }
 
 private:
-  Neighbor_table() = default;
-
-  Index m_number = 0;
+  Index m_size;
+  Index m_number;
   std::vector<Index> m_neighbors;
   std::vector<double> m_distances;
 };
+
+/// For every point the mean distance to the nearest six: as many as an even sampling has around, about. Zero without
+/// neighbors.
+inline std::vector<double> spacings(const Neighbor_table& neighbors)
+{
+  constexpr Index number_of_nearest = 6;
+  const Index number = std::min(number_of_nearest, neighbors.number());
+  std::vector<double> result(neighbors.size(), 0.);
+  for (Index point = 0; number > 0 && point < neighbors.size(); ++point) {
+    const double* first = neighbors.distances(point).begin();
+    result[point] = std::accumulate(first, first + number, 0.) / number;
+  }
+  return result;
+}
 
 /// Points in the cells of a grid, for queries of all within a radius that is the same for all queries. Unlike a search
 /// tree it can grow, and takes a tenth of the time where few points are within the radius.

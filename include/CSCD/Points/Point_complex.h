@@ -27,6 +27,12 @@ namespace CSCD {
 
 namespace internal {
 
+/// The angle in (-pi, pi] that turns `x` to `y` around `normal`, seen along it.
+inline double angle_around(const Vector_3& normal, const Vector_3& x, const Vector_3& y)
+{
+  return std::atan2(normal.dot(x.cross(y)), x.dot(y) - normal.dot(x) * normal.dot(y));
+}
+
 /// The neighbors of every vertex in some triangles, each once, by ascending number.
 class Vertex_neighbors : public Compressed_rows<Index>
 {
@@ -174,10 +180,8 @@ private:
   /// The angle in [0, 2 pi) that turns the direction to `from` to that to `to`, around the normal of `center`.
   double angle(Index center, Index from, Index to) const
   {
-    const Vector_3& normal = m_normals[center];
-    const Vector_3 x = m_points[from] - m_points[center];
-    const Vector_3 y = m_points[to] - m_points[center];
-    const double result = std::atan2(normal.dot(x.cross(y)), x.dot(y) - normal.dot(x) * normal.dot(y));
+    const Vector_3& point = m_points[center];
+    const double result = internal::angle_around(m_normals[center], m_points[from] - point, m_points[to] - point);
     return result < 0 ? result + boost::math::double_constants::two_pi : result;
   }
 

@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,8 +43,8 @@ struct Reconstructed_surface
 class Surface_completion
 {
 public:
-  /// \param surface its triangles are oriented, no two have a side in the same direction, and their vertices are the
-  ///        points; referred to
+  /// \param surface its triangles are turned outwards, no two have a side in the same direction, and their vertices are
+  ///        the points; referred to
   /// \param normalization of the points
   Surface_completion(Reconstructed_surface& surface, const Normalization& normalization)
       : m_surface(surface), m_normalization(normalization)
@@ -233,18 +232,8 @@ private:
   {
     Reconstructed_surface result;
     result.triangles.points = complex.points();
-    std::set<std::pair<Index, Index>> sides;
     for (Index face = 0; face < complex.number_of_faces(); ++face) {
-      const std::array<Index, 3> halfedges = complex.face_halfedges(face);
-      const auto is_met = [&](Index h) { return sides.count({complex.origin(h), complex.target(h)}) > 0; };
-      if (std::none_of(halfedges.begin(), halfedges.end(), is_met)) {
-        std::array<Index, 3> corners{};
-        for (std::size_t k = 0; k < 3; ++k) {
-          corners[k] = complex.origin(halfedges[k]);
-          sides.insert({corners[k], complex.target(halfedges[k])});
-        }
-        result.triangles.faces.push_back(corners);
-      }
+      result.triangles.faces.push_back(complex.face_vertices(face));
     }
     Surface_completion complete(result, Normalization());
     complete.prepare();

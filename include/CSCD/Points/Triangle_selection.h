@@ -105,6 +105,14 @@ private:
   bool m_is_closed = false;
 };
 
+/// The squared radius of the circumcircle of a triangle.
+inline double squared_circumradius(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+{
+  const Vector_3 x = b - a;
+  const Vector_3 y = c - a;
+  return x.squaredNorm() * y.squaredNorm() * (x - y).squaredNorm() / (4 * x.cross(y).squaredNorm());
+}
+
 /// A triangle that is Delaunay in the tangent planes of some of its vertices.
 struct Local_triangle
 {
@@ -228,7 +236,9 @@ private:
   std::vector<Index> m_begin;    // of the sectors of every vertex, and the end of all
 };
 
-/// Fills border loops of few edges with triangles, the smallest ears first.
+/// Fills border loops of few edges with triangles, the smallest ears first: voids of random samples are not holes. O(n
+/// log n).
+/// \pre the triangles are oriented as the normals say, and no edge has more than two
 class Gap_closing
 {
 public:
@@ -310,10 +320,7 @@ private:
   /// The angle at `b` from `a` to `c`, counterclockwise around its normal, in (0, 2 pi].
   double gap(Index a, Index b, Index c) const
   {
-    const Vector_3& normal = m_normals[b];
-    const Vector_3 x = m_points[a] - m_points[b];
-    const Vector_3 y = m_points[c] - m_points[b];
-    const double angle = std::atan2(normal.dot(x.cross(y)), x.dot(y) - normal.dot(x) * normal.dot(y));
+    const double angle = angle_around(m_normals[b], m_points[a] - m_points[b], m_points[c] - m_points[b]);
     return angle > 0 ? angle : angle + boost::math::double_constants::two_pi;
   }
 
@@ -348,10 +355,23 @@ private:
       }
     }
     ears.push_back(ear(polygon, 1));
-    m_triangles.insert(m_triangles.end(), ears.begin(), ears.end());
-    for (const auto& [a, b, c] : ears) {
-      m_new_edges.insert({{a, b}, {b, c}, {c, a}});
+    add(ears);
+  }
+
+  /// Adds triangles if no edge is taken: a border may pass a vertex twice, and borders that meet at one may share
+  /// edges.
+  void add(const std::vector<std::array<Index, 3>>& triangles)
+  {
+    std::set<Edge> edges;
+    for (const auto& [a, b, c] : triangles) {
+      for (const Edge& edge : {Edge(a, b), Edge(b, c), Edge(c, a)}) {
+        if (has_edge(edge.first, edge.second) || !edges.insert(edge).second) {
+          return;
+        }
+      }
     }
+    m_triangles.insert(m_triangles.end(), triangles.begin(), triangles.end());
+    m_new_edges.merge(edges);
   }
 
   /// The corner `i` and its neighbors, counterclockwise: the polygon runs clockwise around the gap.
@@ -373,9 +393,7 @@ private:
     if (!is_convex(corners) || has_edge(corners[0], corners[2]) || has_edge(corners[2], corners[0])) {
       return std::numeric_limits<double>::infinity();
     }
-    const Vector_3 x = m_points[corners[0]] - m_points[corners[1]];
-    const Vector_3 y = m_points[corners[2]] - m_points[corners[1]];
-    return x.squaredNorm() * y.squaredNorm() * (x - y).squaredNorm() / x.cross(y).squaredNorm();
+    return squared_circumradius(m_points[corners[1]], m_points[corners[0]], m_points[corners[2]]);
   }
 
   const std::vector<Vector_3>& m_points;
@@ -385,15 +403,6 @@ private:
   std::set<Edge> m_new_edges; // of triangles in gaps
   std::vector<Edge> m_border; // those without a triangle on the right, sorted
 };
-
-/// Closes the gaps between `triangles` that only a few edges surround: voids of random samples are not holes. O(n log
-/// n).
-/// \pre the triangles are oriented as the normals say, and no edge has more than two
-inline void close_small_gaps(const std::vector<Vector_3>& points, const std::vector<Vector_3>& normals,
-                             std::vector<std::array<Index, 3>>& triangles)
-{
-  Gap_closing(points, normals, triangles)();
-}
 
 } // namespace CSCD::internal
 

@@ -21,10 +21,23 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
+inline Vector_3 pseudo_random_vector(Index point)
+{
+  std::minstd_rand random(point + 1);
+  random.discard(2); // the first numbers of neighboring seeds are alike
+  Vector_3 result = Vector_3::Zero();
+  for (double& coordinate : result) {
+    coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
+  }
+  return result;
+}
 
 /// The normal that a point at direction `edge` has if both lie on a circular arc, and the other has `normal`. On flat
 /// ground it is the same; across an edge of a body it is that of the other side.
@@ -33,7 +46,11 @@ inline Vector_3 mirrored_normal(const Vector_3& normal, const Vector_3& edge)
   return normal - 2 * edge.dot(normal) / edge.squaredNorm() * edge;
 }
 
-/// Turns normals along a spanning tree.
+/// Turns normals so that they agree with those of neighbors, starting from the first vertex of each component of some
+/// triangles: along a spanning tree of the edges at which they differ least from what an arc would have (after H. Hoppe
+/// et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation of
+/// normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to the
+/// next. O(n log n).
 class Normal_orientation
 {
 public:
@@ -111,57 +128,83 @@ private:
   std::vector<Index> m_stack;
 };
 
-/// Turns `normals` so that they agree with those of neighbors, starting from the first vertex of each component of
-/// `triangles`: along a spanning tree of the edges at which they differ least from what an arc would have (after H.
-/// Hoppe et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation
-/// of normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to
-/// the next. O(n log n).
-inline void orient_normals(const std::vector<Vector_3>& points, std::vector<Vector_3>& normals,
-                           const std::vector<std::array<Index, 3>>& triangles)
+/// The triangles of the convex hull of `points`, outwards; none if some points are inside, or all nearly lie in a
+/// plane. O(n^4).
+/// \pre no four lie in a plane exactly; the mean squared distance from the centroid is about 1
+inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector_3>& points)
 {
-  Normal_orientation orientation(points, normals);
-  orientation(triangles);
+  constexpr double min_thickness = 1e-3;
+  const auto n = Index(points.size());
+  std::vector<std::array<Index, 3>> result;
+  std::vector<double> depth(points.size(), 1); // below the nearest side of the hull
+  for (Index a = 0; a < n; ++a) {
+    for (Index b = a + 1; b < n; ++b) {
+      for (Index c = b + 1; c < n; ++c) {
+        const Vector_3 normal = triangle_vector(points[a], points[b], points[c]).normalized();
+        std::vector<double> height;
+        for (Index d = 0; d < n; ++d) {
+          height.push_back(d == a || d == b || d == c ? 0. : normal.dot(points[d] - points[a]));
+        }
+        const auto [lowest, highest] = std::minmax_element(height.begin(), height.end());
+        if (*lowest < 0 && *highest > 0) {
+          continue;
+        }
+        if (*highest - *lowest < min_thickness) {
+          return {};
+        }
+        for (Index d = 0; d < n; ++d) {
+          depth[d] = std::min(depth[d], std::abs(height[d]));
+        }
+        result.push_back({a, *highest > 0 ? c : b, *highest > 0 ? b : c});
+      }
+    }
+  }
+  if (*std::max_element(depth.begin(), depth.end()) > min_thickness) {
+    return {};
+  }
+  return result;
 }
 
-/// Makes the complex of a cloud, step by step (supplement, appendix G.2: the neighborhoods of the points, pruned of
-/// what connects regions that are not connected).
-class Point_complex_builder
+/// The triangles between the points of a cloud that its neighborhoods agree on.
+struct Triangulated_cloud
+{
+  std::vector<Vector_3> points;                ///< those of the cloud, in the same order; moved if they are smoothed
+  std::vector<Vector_3> normals;               ///< of unit length, outwards
+  std::vector<std::array<Index, 3>> triangles; ///< oriented; no two have a side in the same direction
+  double spacing = 0;                          ///< the median over the points of the mean distance to the nearest six
+  double noise = 0;         ///< the lower quartile of the deviations from quadrics, relative to the spacing
+  bool is_smoothed = false; ///< whether the noise was so large that triangles between the points would fold
+  std::size_t number_of_outliers = 0;
+};
+
+/// Triangulates a cloud, step by step (supplement, appendix G.2: the neighborhoods of the points, pruned of what
+/// connects regions that are not connected).
+class Cloud_triangulation
 {
 public:
-  explicit Point_complex_builder(const Point_cloud& cloud)
-      : m_cloud(cloud), m_neighbors(cloud.points, number_of_neighbors),
-        m_sampling(cloud.points, m_neighbors.nearest(Cloud_sampling::number_of_neighbors))
+  explicit Cloud_triangulation(const Point_cloud& cloud)
+      : m_cloud(cloud), m_points(posed(cloud)), m_neighbors(m_points, quadric_neighbors)
   {
+    m_result.points = cloud.points;
   }
 
-  Point_complex operator()()
+  Triangulated_cloud operator()()
   {
-    fit_sheets();
-    move_points();
-    take_normals();
-    std::vector<std::array<Index, 3>> triangles = select_triangles();
-    orient_normals(m_points, m_normals, triangles);
-    // Oriented normals separate more sheets.
-    m_is_oriented = true;
-    triangles = select_triangles();
-    orient_normals(m_points, m_normals, triangles);
-    orient(triangles);
-    close_small_gaps(m_points, m_normals, triangles);
-    if (triangles.empty()) {
-      throw Input_error(
-          "no triangle could be made between the points: they do not sample a surface; sample it more densely");
+    find_outliers();
+    smooth();
+    if (is_small() && m_cloud.normals.empty()) {
+      take_hull();
     }
-    turn_outwards(triangles);
-    for (Vector_3& normal : m_normals) {
-      normal = m_cloud.pose.turn_back(normal);
+    if (m_result.triangles.empty()) {
+      take_sheets();
     }
-    return {std::move(m_result_points), std::move(m_normals), triangles};
+    for (const Vector_3& normal : m_normals) {
+      m_result.normals.push_back(m_cloud.pose.turn_back(normal));
+    }
+    return std::move(m_result);
   }
 
 private:
-  /// The size of neighborhoods: around a point on the border of a hole in a random sample, the points on the other side
-  /// are among them.
-  static constexpr Index number_of_neighbors = 24;
   /// How far points are moved, for the choice of triangles only, relative to the reach of their neighborhoods: far more
   /// than rounding, far less than matters.
   static constexpr double jitter = 1e-6;
@@ -183,53 +226,125 @@ private:
   static constexpr double noise_quantile = 0.25;
   /// Heights over a tangent plane that noise makes, relative to its deviation.
   static constexpr double noise_height = 3;
-  /// Points are moved for good if their deviation, relative to their spacing, exceeds this. Clouds of thirteen shapes
-  /// without noise have at most 0.03, with a deviation of 0.3 of the distance to the nearest point 0.13 and more.
-  static constexpr double max_noise = 0.08;
+  /// Points are moved for good if their deviation, relative to their spacing, exceeds this. Below, moving them does
+  /// more harm to thin limbs than good.
+  static constexpr double max_noise = 0.19;
+
+  /// Whether the neighborhoods reach around the body, and have no tangent planes.
+  bool is_small() const { return m_points.size() <= std::size_t(2) * quadric_neighbors; }
+
+  static std::vector<Vector_3> posed(const Point_cloud& cloud)
+  {
+    std::vector<Vector_3> result;
+    result.reserve(cloud.points.size());
+    for (const Vector_3& point : cloud.points) {
+      result.push_back(cloud.pose(point));
+    }
+    return result;
+  }
+
+  void find_outliers()
+  {
+    for (Index point = 0; point < m_neighbors.size(); ++point) {
+      m_is_outlier.push_back(is_outlier(m_neighbors, point) ? 1 : 0);
+    }
+    m_result.number_of_outliers = std::size_t(std::count(m_is_outlier.begin(), m_is_outlier.end(), char(1)));
+  }
+
+  /// Measures the noise, and moves the points to the quadrics of their neighborhoods if triangles between them would
+  /// fold; again if these still would.
+  void smooth()
+  {
+    constexpr int max_number_of_rounds = 2; // a third changes nothing
+    const double scale = m_cloud.pose.scale();
+    for (int round = 0; round < max_number_of_rounds; ++round) {
+      std::vector<Vector_3> projections;
+      const double spacing = quantile(spacings(m_neighbors), 0.5);
+      const double noise = fit_quadrics(projections) / spacing;
+      m_noise = noise_height * noise * spacing;
+      if (round == 0) {
+        m_result.spacing = spacing / scale;
+        m_result.noise = noise;
+      }
+      if (noise <= max_noise || is_small()) {
+        return;
+      }
+      m_result.is_smoothed = true;
+      for (Index point = 0; point < m_points.size(); ++point) {
+        m_result.points[point] += m_cloud.pose.turn_back(projections[point] - m_points[point]) / scale;
+      }
+      m_points = std::move(projections);
+      m_neighbors = Neighbor_table(m_points, quadric_neighbors);
+    }
+  }
+
+  /// Fits quadrics to the neighborhoods, and projects the points to them. \return the noise
+  double fit_quadrics(std::vector<Vector_3>& projections) const
+  {
+    std::vector<double> deviations;
+    for (Index point = 0; point < m_points.size(); ++point) {
+      const Quadric_fit fit = fit_quadric(m_points, point, m_neighbors.neighbors(point), m_neighbors.reach(point));
+      projections.push_back(fit.projection);
+      deviations.push_back(fit.deviation);
+    }
+    return quantile(std::move(deviations), noise_quantile);
+  }
+
+  /// Takes the convex hull of the points, if they do not lie in a plane.
+  void take_hull()
+  {
+    std::vector<Vector_3> shaken = m_points;
+    Vector_3 center = Vector_3::Zero();
+    for (Index point = 0; point < m_points.size(); ++point) {
+      shaken[point] += tie_breaker(point);
+      center += m_points[point] / double(m_points.size());
+    }
+    m_result.triangles = hull_of_few(shaken);
+    m_normals.clear();
+    for (const Vector_3& point : shaken) {
+      m_normals.push_back((point - center).normalized());
+    }
+  }
+
+  void take_sheets()
+  {
+    fit_sheets();
+    move_points();
+    take_normals();
+    std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
+    triangles = select_triangles();
+    Normal_orientation(m_points, m_normals)(triangles);
+    // Oriented normals separate more sheets.
+    m_is_oriented = true;
+    triangles = select_triangles();
+    Normal_orientation(m_points, m_normals)(triangles);
+    orient(triangles);
+    Gap_closing(m_points, m_normals, triangles)();
+    turn_outwards(triangles);
+  }
 
   void fit_sheets()
   {
-    m_points.reserve(m_cloud.points.size());
-    for (const Vector_3& point : m_cloud.points) {
-      m_points.push_back(m_cloud.pose(point));
-    }
-    fit_sheets(0);
-    m_is_noisy = m_noise > noise_height * max_noise * m_sampling.spacing() * m_cloud.pose.scale();
-    if (m_is_noisy) {
-      fit_sheets(m_noise);
-    }
-  }
-
-  /// Fits surfaces, and takes the noise from them.
-  void fit_sheets(double height)
-  {
-    Sheet_fitting fit(m_points, m_neighbors, height);
-    std::vector<double> deviations;
-    deviations.reserve(m_points.size());
-    m_fits.clear();
+    Sheet_fitting fit(m_points, m_neighbors);
+    m_fits.reserve(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
       m_fits.push_back(fit(point));
-      deviations.push_back(m_fits.back().deviation);
     }
-    m_noise = noise_height * quantile(std::move(deviations), noise_quantile);
   }
 
   /// Triangles are found between points that are moved to the surfaces fitted to them, but not farther than noise can
-  /// have moved them: where limbs are thin, the surfaces do not fit. If there is much noise, they stay there.
+  /// have moved them: where limbs are thin, the surfaces do not fit. Ties are broken.
   void move_points()
   {
-    m_result_points = m_cloud.points;
-    const double scale = m_cloud.pose.scale();
     for (Index point = 0; point < m_points.size(); ++point) {
-      Vector_3 offset = m_fits[point].projection - m_points[point];
+      const Vector_3 offset = m_fits[point].projection - m_points[point];
       const double length = offset.norm();
-      offset *= length > m_noise ? m_noise / length : 1.;
-      m_points[point] += offset + jitter * scale * m_neighbors.reach(point) * pseudo_random_vector(point);
-      if (m_is_noisy) {
-        m_result_points[point] += m_cloud.pose.turn_back(offset) / scale;
-      }
+      m_points[point] += length > m_noise ? Vector_3(m_noise / length * offset) : offset;
+      m_points[point] += tie_breaker(point);
     }
   }
+
+  Vector_3 tie_breaker(Index point) const { return jitter * m_neighbors.reach(point) * pseudo_random_vector(point); }
 
   std::vector<std::array<Index, 3>> select_triangles() const
   {
@@ -238,6 +353,7 @@ private:
 
   void take_normals()
   {
+    m_normals.clear();
     m_normals.reserve(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
       const bool is_known = !m_cloud.normals.empty() && m_cloud.normals[point] != Vector_3::Zero();
@@ -266,20 +382,20 @@ private:
     proposals.reserve(7 * m_points.size());
     Delaunay_star star;
     for (Index p = 0; p < m_points.size(); ++p) {
-      if (m_sampling.is_outlier(p)) {
+      if (m_is_outlier[p] != 0) {
         continue;
       }
       const Vector_3 x = m_normals[p].unitOrthogonal();
       const Vector_3 y = m_normals[p].cross(x);
       star.clear();
       for (const Index q : m_neighbors.neighbors(p)) {
-        if (!m_sampling.is_outlier(q) && !are_two_sheets(p, q)) {
+        if (m_is_outlier[q] == 0 && !are_two_sheets(p, q)) {
           const Vector_3 edge = m_points[q] - m_points[p];
           star.add({x.dot(edge), y.dot(edge)}, q);
         }
       }
       star();
-      const double reach = m_cloud.pose.scale() * m_neighbors.reach(p);
+      const double reach = m_neighbors.reach(p);
       const std::vector<Index>& ring = star.neighbors();
       for (std::size_t i = star.is_closed() ? 0 : 1; i < ring.size(); ++i) {
         const Local_triangle triangle = proposal(p, ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]);
@@ -293,12 +409,10 @@ private:
 
   Local_triangle proposal(Index p, Index q, Index r) const
   {
-    const Vector_3 a = m_points[q] - m_points[p];
-    const Vector_3 b = m_points[r] - m_points[p];
     Local_triangle result;
     result.vertices = {p, q, r};
     std::sort(result.vertices.begin(), result.vertices.end());
-    result.size = a.squaredNorm() * b.squaredNorm() * (a - b).squaredNorm() / (4 * a.cross(b).squaredNorm());
+    result.size = squared_circumradius(m_points[p], m_points[q], m_points[r]);
     return result;
   }
 
@@ -370,23 +484,33 @@ private:
   }
 
   const Point_cloud& m_cloud;
+  std::vector<Vector_3> m_points; // in the canonical pose, moved
   Neighbor_table m_neighbors;
-  Cloud_sampling m_sampling;
+  std::vector<char> m_is_outlier;  // of every point
   std::vector<Quadric_fit> m_fits; // in the canonical pose
   double m_noise = 0;              // how far noise moves points off the surface, in the canonical pose
-  std::vector<Vector_3> m_points;  // in the canonical pose, moved
   std::vector<Vector_3> m_normals; // in the canonical pose
-  std::vector<Vector_3> m_result_points;
-  bool m_is_noisy = false;
-  bool m_is_oriented = false; // the normals
+  bool m_is_oriented = false;      // the normals
+  Triangulated_cloud m_result;
 };
 
-/// Makes the complex of `cloud`: its vertices are the points of the cloud, in the same order; where these are noisy,
-/// they are moved to a surface fitted to them. Outliers and points that nothing fits to have no edges. O(n log n).
+/// Triangulates `cloud`: its vertices are the points of the cloud, in the same order; where these are noisy, they are
+/// moved to a surface fitted to them. Outliers and points that nothing fits to have no triangles. O(n log n).
+inline Triangulated_cloud triangulate_cloud(const Point_cloud& cloud)
+{
+  return Cloud_triangulation(cloud)();
+}
+
+/// The complex of the triangulation of `cloud`.
 /// \throw Input_error if no triangle can be made
 inline Point_complex build_point_complex(const Point_cloud& cloud)
 {
-  return Point_complex_builder(cloud)();
+  Triangulated_cloud triangulated = triangulate_cloud(cloud);
+  if (triangulated.triangles.empty()) {
+    throw Input_error(
+        "no triangle could be made between the points: they do not sample a surface; sample it more densely");
+  }
+  return {std::move(triangulated.points), std::move(triangulated.normals), triangulated.triangles};
 }
 
 } // namespace CSCD::internal

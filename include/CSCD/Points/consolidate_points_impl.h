@@ -89,7 +89,7 @@ private:
   static constexpr double max_bend = 0.15;
   /// The bend that is expected to remain where the radius shrinks by the root of two: that of animals.
   static constexpr double expected_bend = 0.7;
-  /// Points are averaged if their noise in the unit of the radius exceeds this: about the bound of Cloud_sampling.
+  /// Points are averaged if their noise in the unit of the radius exceeds this: about the bound of the triangulation.
   static constexpr double max_noise = 0.15;
   /// Noise in the unit of the radius that is too large for an average over the radius.
   static constexpr double excessive_noise = 0.4;
@@ -108,8 +108,6 @@ private:
   static constexpr double deviation_in_space = 0.12;
   /// The part of the points that must be lonely for that: of normally distributed noise a hundredth is.
   static constexpr double least_part_in_space = 0.02;
-  /// A lonely point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
-  static constexpr double outlier_reach = 4;
   /// The points among which the neighbors of lonely points are sought, about.
   static constexpr std::size_t sample_around_outliers = 50000;
   /// How near to each other averaged points may be, relative to the radius.
@@ -214,25 +212,18 @@ private:
         points.push_back(m_cloud.points[point]);
       }
     }
-    const Neighbor_table neighbors(points, Cloud_sampling::number_of_neighbors);
+    const Neighbor_table neighbors(points, quadric_neighbors);
     std::vector<double> deviations;
-    std::vector<double> reaches;
-    std::vector<char> is_far(lonely.size(), 0);
     for (Index i = 0; i < lonely.size(); ++i) {
       deviations.push_back(fit_quadric(points, i, neighbors.neighbors(i), neighbors.reach(i)).deviation /
                            neighbors.reach(i));
-      reaches.clear();
-      for (Index neighbor : neighbors.neighbors(i)) {
-        reaches.push_back(neighbors.reach(neighbor));
-      }
-      is_far[i] = neighbors.reach(i) > outlier_reach * quantile(reaches, 0.5) ? 1 : 0;
     }
     m_is_space_filled =
         m_is_space_filled || (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
                               quantile(deviations, 0.5) > deviation_in_space);
     std::vector<Index> result;
     for (Index i = 0; i < lonely.size(); ++i) {
-      if (m_is_space_filled || is_far[i] != 0) {
+      if (m_is_space_filled || is_outlier(neighbors, i)) {
         result.push_back(lonely[i]);
       }
     }

@@ -170,7 +170,7 @@ inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing
   constexpr std::size_t probes = 300;      // balls: the part of them is then known to about a fiftieth
   constexpr std::size_t min_points = 8;    // fewer show no form
   constexpr double min_part = 0.9;         // of the balls
-  constexpr std::size_t min_number = 1000; // fewer are triangulated soon, whatever their form
+  constexpr std::size_t min_number = 1000; // fewer take little time, whatever their form
   if (points.size() < min_number || !(spacing > 0)) {
     return false;
   }

@@ -3,8 +3,8 @@
 //
 // Delaunay triangulations of points that are refused before they fill the memory.
 
-#ifndef CSCD_POINTS_INSERT_POINTS_H
-#define CSCD_POINTS_INSERT_POINTS_H
+#ifndef CSCD_SRC_TREE_INSERT_POINTS_H
+#define CSCD_SRC_TREE_INSERT_POINTS_H
 
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -58,4 +58,4 @@ void insert_points(Triangulation& triangulation, const std::vector<Vector_3>& po
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINTS_INSERT_POINTS_H
+#endif // CSCD_SRC_TREE_INSERT_POINTS_H
