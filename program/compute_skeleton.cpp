@@ -10,7 +10,6 @@
 #include <CSCD/Graph_policies.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Local_policies.h>
-#include <CSCD/Named_parameters.h>
 #include <CSCD/Options.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Published/Field_search_settings.h>
@@ -42,7 +41,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,29 +54,16 @@ using Point_map = CGAL::Pointer_property_map<Vector_3>::const_type;
 /// A skeleton whose nodes hold numbers of points.
 using Number_graph = CSCD::Skeleton_graph<Vector_3, std::size_t>;
 
-/// The numbers of the points of an input, to make surface traits of.
-class Numbered_points
+/// Makes surface traits of the numbered points of `input`, and of the normals if there are any.
+template <class Traits>
+Traits make_traits(const Input& input)
 {
-public:
-  /// \param input is referred to
-  explicit Numbered_points(const Input& input) : m_input(input), m_numbers(input.number_of_points)
-  {
-    std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
-  }
-
-  /// Makes surface traits of the points, and of the normals if there are any.
-  template <class Traits>
-  Traits make_traits() const
-  {
-    const Point_map point_map = CGAL::make_property_map(m_input.points);
-    return m_input.normals.empty() ? Traits(m_numbers, point_map)
-                                   : Traits(m_numbers, point_map, Point_map(CGAL::make_property_map(m_input.normals)));
-  }
-
-private:
-  const Input& m_input;
-  Numbers m_numbers;
-};
+  Numbers numbers(input.number_of_points);
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  const Point_map point_map = CGAL::make_property_map(input.points);
+  return input.normals.empty() ? Traits(numbers, point_map)
+                               : Traits(numbers, point_map, Point_map(CGAL::make_property_map(input.normals)));
+}
 
 /// Takes over the surface of `traits`, which were made of the points of `input`: its vertices are the points, and
 /// inserted ones behind them.
@@ -243,8 +228,7 @@ Skeletonization_result compute_graph_skeleton(const Input& input, const Skeleton
 Skeletonization_result compute_published_point_skeleton(Input& input, const Skeletonize_options& options,
                                                         Progress_visitor& visitor)
 {
-  const Numbered_points points(input);
-  const auto traits = points.make_traits<CSCD::Point_set_traits<Numbers, Point_map>>();
+  const auto traits = make_traits<CSCD::Point_set_traits<Numbers, Point_map>>(input);
   Skeletonization_result result = run_other_method(traits, published_policies(options, true), options, visitor);
   result.is_of_points = true;
   take_surface(traits, input);
@@ -276,9 +260,8 @@ Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_op
   if (options.shape == automatic_shape && CSCD::is_scan_of_trees(input.points)) {
     return compute_recognized_tree_skeleton(input, options, "many points lie along curves, not on a surface");
   }
-  const Numbered_points points(input);
   try {
-    const auto traits = points.make_traits<CSCD::Reconstructed_surface_traits<Numbers, Point_map>>();
+    const auto traits = make_traits<CSCD::Reconstructed_surface_traits<Numbers, Point_map>>(input);
     if (options.shape == surface_shape || !traits.is_surface_doubtful()) {
       Skeletonization_result result = run_skeletonization(
           traits, CSCD::Local_policies(CSCD::Detail(options.detail), options.spacing), options, visitor);

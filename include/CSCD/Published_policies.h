@@ -88,6 +88,28 @@ private:
   Field_search_settings m_settings;
 };
 
+namespace internal {
+
+/// Embeds separators that were packed without cutting the surface, at the default spacing of nodes; separators that
+/// cross an earlier one are left out.
+inline Embedded_skeleton embed_packed_separators(const Triangulated_solid& solid,
+                                                 const std::vector<Separator>& separators,
+                                                 const std::vector<Index>& packed, Skeletonization_report& report)
+{
+  Separator_arrangement arrangement(solid.triangulation());
+  std::vector<Index> inserted;
+  for (Index separator : packed) {
+    if (arrangement.insert(separator, separators[separator].crossings)) {
+      inserted.push_back(separator);
+    }
+  }
+  Cut_graph cut_graph(solid.triangulation(), arrangement);
+  cut_graph.cut(arrangement);
+  return embed_skeleton(solid, separators, inserted, cut_graph, Options().node_spacing, report);
+}
+
+} // namespace internal
+
 template <class Surface>
 std::vector<Separator> Published_policies::find_separators(const Surface& surface, const Options& settings,
                                                            Skeletonization_report& report,
@@ -119,15 +141,21 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
 {
   if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
     if (m_settings.placement_rule == Placement_rule::sections) {
-      return internal::embed_skeleton(surface, separators, packing.packed(), report);
+      return internal::embed_packed_separators(surface, separators, packing.packed(), report);
     }
   }
   CGAL_precondition(m_settings.placement_rule == Placement_rule::centroids);
   const auto place_nodes = [&](Skeleton_builder& builder) {
-    internal::place_on_sheets(surface, separators, packing.packed(), builder);
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-      internal::Junction_centering(surface, builder).center_on_sheets();
-      internal::finish_on_sheets(surface, builder);
+      if (surface.number_of_sheets() > 0) {
+        // Node i is that of the separator at position i.
+        for (Index i = 0; i < packing.packed().size() && i < builder.size(); ++i) {
+          internal::place_on_sheet(surface, separators[packing.packed()[i]], builder[i]);
+        }
+        internal::settle_on_sheets(surface, builder);
+        internal::Junction_centering(surface, builder)(true);
+        internal::finish_on_sheets(surface, builder);
+      }
     }
   };
   return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);

@@ -10,6 +10,7 @@
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -242,100 +242,84 @@ private:
   std::vector<double> m_zone;     ///< how far from each joint the weights go over
 };
 
-/// Averages influences over neighboring vertices.
-class Influence_smoothing
+/// Adds influences times `factor` to the sums of the joints.
+void add_influences(const Rig::Influences& influences, double factor, std::vector<Rig_influence>& sums)
 {
-public:
-  explicit Influence_smoothing(const Assigned_surface& surface)
-      : m_surface(surface), m_neighbors(surface.points.size(), [&surface](const auto& use) {
-          for (const std::array<Index, 3>& triangle : surface.triangles) {
-            for (std::size_t i = 0; i < 3; ++i) {
-              use(triangle[i], triangle[(i + 1) % 3]);
-              use(triangle[(i + 1) % 3], triangle[i]);
-            }
-          }
-        })
-  {
-  }
-
-  /// How often influences have to be averaged to spread by `distance`. Averaging with the neighbors at the distance of
-  /// an edge, with half of the weight on the vertex itself, spreads by the square root of half an edge's square.
-  int number_of_steps(double distance) const
-  {
-    constexpr int min_number = 2;
-    constexpr int max_number = 64; // bounds the time on fine meshes
-    double sum = 0;
-    for (const std::array<Index, 3>& triangle : m_surface.triangles) {
-      sum += (m_surface.points[triangle[1]] - m_surface.points[triangle[0]]).norm();
-    }
-    const double ratio = sum > 0 ? distance * double(m_surface.triangles.size()) / sum : 0; // in edges
-    return int(std::clamp(std::ceil(2 * ratio * ratio), double(min_number), double(max_number)));
-  }
-
-  void smooth(std::vector<Rig::Influences>& influences, int number_of_steps)
-  {
-    for (int step = 0; step < number_of_steps; ++step) {
-      const std::vector<Rig::Influences> old = influences;
-      for (std::size_t v = 0; v < influences.size(); ++v) {
-        influences[v] = average(old, v);
+  for (const Rig_influence& influence : influences) {
+    if (influence.weight > 0) {
+      const auto place = std::find_if(sums.begin(), sums.end(),
+                                      [&](const Rig_influence& other) { return other.joint == influence.joint; });
+      if (place == sums.end()) {
+        sums.push_back({influence.joint, factor * influence.weight});
+      } else {
+        place->weight += factor * influence.weight;
       }
     }
   }
+}
 
-private:
-  Rig::Influences average(const std::vector<Rig::Influences>& influences, std::size_t vertex)
-  {
-    const auto neighbors = m_neighbors[vertex];
-    if (neighbors.empty()) {
-      return influences[vertex];
+/// The strongest of the sums, whose weights then have the sum 1.
+Rig::Influences strongest(std::vector<Rig_influence>& sums)
+{
+  constexpr double negligible = 1e-3; // moves a vertex by less than one sees
+  std::sort(sums.begin(), sums.end(), [](const Rig_influence& a, const Rig_influence& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+  });
+  Rig::Influences result{};
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(sums.size(), result.size()); ++i) {
+    if (i == 0 || sums[i].weight > negligible) {
+      result[i] = sums[i];
+      sum += sums[i].weight;
     }
-    m_sum.clear();
-    add(influences[vertex], 0.5);
-    for (const Index neighbor : neighbors) {
-      add(influences[neighbor], 0.5 / double(neighbors.size()));
-    }
-    return strongest();
   }
+  for (Rig_influence& influence : result) {
+    influence.weight /= sum;
+  }
+  return result;
+}
 
-  void add(const Rig::Influences& influences, double factor)
-  {
-    for (const Rig_influence& influence : influences) {
-      if (influence.weight > 0) {
-        const auto place = std::find_if(m_sum.begin(), m_sum.end(),
-                                        [&](const Rig_influence& other) { return other.joint == influence.joint; });
-        if (place == m_sum.end()) {
-          m_sum.push_back({influence.joint, factor * influence.weight});
-        } else {
-          place->weight += factor * influence.weight;
+/// How often influences have to be averaged to spread by `distance`. Averaging with the neighbors at the distance of an
+/// edge, with half of the weight on the vertex itself, spreads by the square root of half an edge's square.
+int number_of_averagings(const Assigned_surface& surface, double distance)
+{
+  constexpr int min_number = 2;
+  constexpr int max_number = 64; // bounds the time on fine meshes
+  double sum = 0;
+  for (const std::array<Index, 3>& triangle : surface.triangles) {
+    sum += (surface.points[triangle[1]] - surface.points[triangle[0]]).norm();
+  }
+  const double ratio = sum > 0 ? distance * double(surface.triangles.size()) / sum : 0; // in edges
+  return int(std::clamp(std::ceil(2 * ratio * ratio), double(min_number), double(max_number)));
+}
+
+/// Averages influences over neighboring vertices until they have spread by `distance`.
+void smooth(const Assigned_surface& surface, double distance, std::vector<Rig::Influences>& influences)
+{
+  const Compressed_rows<Index, std::size_t> neighbors(surface.points.size(), [&surface](const auto& use) {
+    for (const std::array<Index, 3>& triangle : surface.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        use(triangle[i], triangle[(i + 1) % 3]);
+        use(triangle[(i + 1) % 3], triangle[i]);
+      }
+    }
+  });
+  std::vector<Rig_influence> sums;
+  for (int step = number_of_averagings(surface, distance); step > 0; --step) {
+    const std::vector<Rig::Influences> old = influences;
+    for (std::size_t v = 0; v < influences.size(); ++v) {
+      const auto around = neighbors[v];
+      if (!around.empty()) {
+        sums.clear();
+        add_influences(old[v], 0.5, sums);
+        for (const Index neighbor : around) {
+          add_influences(old[neighbor], 0.5 / double(around.size()), sums);
         }
+        influences[v] = strongest(sums);
       }
     }
   }
-
-  Rig::Influences strongest()
-  {
-    constexpr double negligible = 1e-3; // moves a vertex by less than one sees
-    std::sort(m_sum.begin(), m_sum.end(), [](const Rig_influence& a, const Rig_influence& b) {
-      return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
-    });
-    Rig::Influences result{};
-    double sum = 0;
-    for (std::size_t i = 0; i < std::min(m_sum.size(), result.size()); ++i) {
-      if (i == 0 || m_sum[i].weight > negligible) {
-        result[i] = m_sum[i];
-        sum += m_sum[i].weight;
-      }
-    }
-    for (Rig_influence& influence : result) {
-      influence.weight /= sum;
-    }
-    return result;
-  }
-
-  const Assigned_surface& m_surface;
-  Compressed_rows<Index, std::size_t> m_neighbors;
-  std::vector<Rig_influence> m_sum;
-};
+}
 
 /// `skeleton` in one piece, with the same nodes.
 Skeleton join_components(const Skeleton& skeleton)
@@ -348,13 +332,11 @@ Skeleton join_components(const Skeleton& skeleton)
 /// The largest side of the box of `points`.
 double size_of(const std::vector<Vector_3>& points)
 {
-  Vector_3 least = points.front();
-  Vector_3 greatest = points.front();
+  Bounding_box box;
   for (const Vector_3& point : points) {
-    least = least.cwiseMin(point);
-    greatest = greatest.cwiseMax(point);
+    box.extend(point);
   }
-  return (greatest - least).maxCoeff();
+  return (box.max() - box.min()).maxCoeff();
 }
 
 } // namespace
@@ -380,10 +362,7 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
       ++number_of_vertices;
     }
   }
-  Influence_smoothing smoothing(surface);
-  smoothing.smooth(
-      rig.influences,
-      smoothing.number_of_steps(number_of_vertices > 0 ? spread * sum_of_radii / double(number_of_vertices) : 0));
+  smooth(surface, number_of_vertices > 0 ? spread * sum_of_radii / double(number_of_vertices) : 0, rig.influences);
   return rig;
 }
 

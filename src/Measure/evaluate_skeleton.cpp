@@ -41,6 +41,21 @@
 namespace CSCD::internal {
 namespace {
 
+/// Moves the center of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
+/// \pre `points` is not empty and all coordinates are finite
+/// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
+Normalization normalize_diagonal(std::vector<Vector_3>& points)
+{
+  const Normalization to_cube = normalize_extent(points);
+  Vector_3 greatest = points.front();
+  for (const Vector_3& point : points) {
+    greatest = greatest.cwiseMax(point);
+  }
+  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centered already
+  normalize(points, to_diagonal);
+  return to_cube.then(to_diagonal);
+}
+
 /// Gives the nodes that `is_known` leaves out the radii of the harmonic function on the edges, weighted by the
 /// reciprocals of their lengths, that has the known radii: along a branch it is linear in length. Where nothing is
 /// known in a connected part, radii are `default_radius`. \throw Input_error if there are too many cycles

@@ -49,6 +49,14 @@ public:
     Index next; ///< index of another chord in the same face, or `no_index`
   };
 
+  /// An end of a chord.
+  struct Chord_end
+  {
+    Index point; ///< index of an edge point
+    Index chord;
+    bool is_last; ///< whether the chord ends there, else it begins
+  };
+
   explicit Separator_arrangement_on(const Triangulation& surface)
       : m_surface(surface), m_first_chord(surface.number_of_faces(), no_index)
   {
@@ -112,6 +120,18 @@ public:
       return is_reversed(p.edge, face) ? is_before_on_edge(q, p) : is_before_on_edge(p, q);
     }
     return side(p.edge, face) < side(q.edge, face);
+  }
+
+  /// Writes the ends of the chords of `face` to `ends`, in their order around it.
+  void collect_ends(Index face, std::vector<Chord_end>& ends) const
+  {
+    ends.clear();
+    for (Index i = first_chord(face); i != no_index; i = m_chords[i].next) {
+      ends.push_back({m_chords[i].begin, i, false});
+      ends.push_back({m_chords[i].end, i, true});
+    }
+    std::sort(ends.begin(), ends.end(),
+              [&](const Chord_end& a, const Chord_end& b) { return is_before(a.point, b.point, face); });
   }
 
   /// The side of `face`, 0 to 2, that lies on `edge`.
@@ -301,9 +321,7 @@ private:
     });
     m_intervals.clear();
     m_interval_before.resize(points.size());
-    m_order.resize(points.size());
     for (std::size_t i = 0; i < m_sorted_points.size(); ++i) {
-      m_order[m_sorted_points[i]] = Index(i);
       const Index edge = points[m_sorted_points[i]].edge;
       const bool is_first = i == 0 || points[m_sorted_points[i - 1]].edge != edge;
       if (is_first) {
@@ -338,13 +356,6 @@ private:
     return m_intervals[m_interval_before[point] + (is_after != is_reversed ? 1 : 0)];
   }
 
-  struct Chord_end
-  {
-    std::uint64_t place; ///< in the order around the face
-    Index point;
-    Index chord;
-  };
-
   /// A part of a face between chords.
   struct Part
   {
@@ -356,12 +367,12 @@ private:
   void split_faces(const Separator_arrangement& arrangement)
   {
     const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
-    std::vector<Chord_end> ends;
+    std::vector<Separator_arrangement::Chord_end> ends;
     m_parts.clear();
     for (Index chord = 0; chord < chords.size(); ++chord) {
       // Handle a face only at the head of its chord list.
       if (arrangement.first_chord(chords[chord].face) == chord) {
-        collect_ends(arrangement, chords[chord].face, ends);
+        arrangement.collect_ends(chords[chord].face, ends);
         split_face(arrangement, chords[chord].face, ends);
       }
     }
@@ -369,12 +380,13 @@ private:
 
   /// Walks around `face`. The part that a chord cuts off connects the boundary just before the chord begins with that
   /// just after it ends.
-  void split_face(const Separator_arrangement& arrangement, Index face, const std::vector<Chord_end>& ends)
+  void split_face(const Separator_arrangement& arrangement, Index face,
+                  const std::vector<Separator_arrangement::Chord_end>& ends)
   {
     const double area = double(m_surface.face_area(face));
     m_open.clear();
     double taken = 0;
-    for (const Chord_end& end : ends) {
+    for (const Separator_arrangement::Chord_end& end : ends) {
       const double place = boundary_place(arrangement, end.point, face);
       const Index interval_before = interval_beside(arrangement, end.point, face, false);
       if (m_open.empty() || m_open.back().chord != end.chord) {
@@ -389,25 +401,6 @@ private:
       m_open.pop_back();
     }
     m_parts.push_back({interval_beside(arrangement, ends.front().point, face, false), (1 - taken) * area});
-  }
-
-  /// Collects the ends of the chords of `face` in their order around it, that of `Separator_arrangement::is_before()`.
-  void collect_ends(const Separator_arrangement& arrangement, Index face, std::vector<Chord_end>& ends) const
-  {
-    ends.clear();
-    const auto place = [&](Index point) {
-      const Index edge = arrangement.points()[point].edge;
-      const bool is_reversed = Triangulated_surface::face(edge) != face;
-      const auto size = std::uint64_t(m_order.size());
-      return arrangement.side(edge, face) * size + (is_reversed ? size - 1 - m_order[point] : m_order[point]);
-    };
-    for (Index chord = arrangement.first_chord(face); chord != no_index; chord = arrangement.chords()[chord].next) {
-      const Index begin = arrangement.chords()[chord].begin;
-      const Index end = arrangement.chords()[chord].end;
-      ends.push_back({place(begin), begin, chord});
-      ends.push_back({place(end), end, chord});
-    }
-    std::sort(ends.begin(), ends.end(), [](const Chord_end& a, const Chord_end& b) { return a.place < b.place; });
   }
 
   /// The place of an edge point in the order around `face`, in [0, 3): side plus position along it.
@@ -509,7 +502,6 @@ private:
   Disjoint_sets m_sets;               ///< of clusters and of inner parts of edges
   std::vector<Index> m_label;         ///< the piece of each of them
   std::vector<Index> m_sorted_points;
-  std::vector<Index> m_order; ///< of every point among the sorted ones
   std::vector<Index> m_intervals;
   std::vector<Index> m_interval_before;
   std::vector<Part> m_parts;

@@ -81,12 +81,6 @@ private:
     float loop_length;
   };
 
-  struct Chord_end
-  {
-    Index point;
-    bool is_left_after; ///< whether the left side of the separator comes after it in the order around the face
-  };
-
   bool is_crossed(Index halfedge) const { return m_is_crossed[m_surface.edge(halfedge)] != 0; }
 
   /// One side of a separator at a point, which is all of its border there.
@@ -110,33 +104,21 @@ private:
   /// Walks around `face`: from one end of a chord to the next, the boundary belongs to one part of the face.
   void join_parts_of_face(Index face)
   {
-    collect_ends(face);
+    m_arrangement.collect_ends(face, m_ends);
     Index region = region_after(m_ends.back());
     auto end = m_ends.begin();
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       // Of an edge that is crossed, this region is only the first part; but no loop runs along it.
       m_region[h] = region;
       for (; end != m_ends.end() && m_arrangement.side(m_arrangement.points()[end->point].edge, face) == h % 3; ++end) {
-        m_capped.join(region, border(end->point, !end->is_left_after));
+        m_capped.join(region, border(end->point, !end->is_last));
         region = region_after(*end);
       }
     }
   }
 
-  /// Collects the ends of the chords of `face` in their order around it. A chord leaves the face with its left side
-  /// after it in this order, and enters with its right side.
-  void collect_ends(Index face)
-  {
-    m_ends.clear();
-    for (Index i = m_arrangement.first_chord(face); i != no_index; i = m_arrangement.chords()[i].next) {
-      m_ends.push_back({m_arrangement.chords()[i].begin, false});
-      m_ends.push_back({m_arrangement.chords()[i].end, true});
-    }
-    std::sort(m_ends.begin(), m_ends.end(),
-              [&](const Chord_end& a, const Chord_end& b) { return m_arrangement.is_before(a.point, b.point, face); });
-  }
-
-  Index region_after(const Chord_end& end) const { return border(end.point, end.is_left_after); }
+  /// A chord leaves the face with its left side after it in the order around the face, and enters with its right side.
+  Index region_after(const Separator_arrangement::Chord_end& end) const { return border(end.point, end.is_last); }
 
   void grow_tree(Index root)
   {
@@ -230,7 +212,7 @@ private:
   Disjoint_sets m_capped;      ///< of faces and of both sides of the separators at every point
   Dijkstra_search m_front;
   std::vector<Index> m_parent;
-  std::vector<Chord_end> m_ends;
+  std::vector<Separator_arrangement::Chord_end> m_ends;
   std::vector<Cotree_edge> m_edges;
 };
 
@@ -394,13 +376,6 @@ private:
   std::vector<double> m_room; ///< of each halfedge, the position of the first separator that crosses it
 };
 
-/// Cuts the handles that `packing` leaves uncut; see `Handle_cutting`. \return their number
-inline std::size_t cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators,
-                               Separator_packing& packing)
-{
-  return Handle_cutting(solid, separators, packing)();
-}
-
 /// Packs `separators` and cuts the surface along the packed ones. Appends separators around handles that no source has
 /// found.
 inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulated_solid& solid, const Detail& detail,
@@ -409,7 +384,7 @@ inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulat
 {
   auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
                                                      detail.min_branch_area_ratio());
-  report.number_of_handle_cuts = cut_handles(solid, separators, *packing);
+  report.number_of_handle_cuts = Handle_cutting(solid, separators, *packing)();
   for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
     mark_open(solid, separators[i]);
   }

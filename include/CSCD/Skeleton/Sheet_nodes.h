@@ -363,22 +363,6 @@ private:
   double m_taper = 0;      ///< its steepest fall, relative to the way
 };
 
-/// Places the nodes of the open ones of the `packed` separators: node i is that of `packed[i]`; all other nodes of
-/// sheets follow. Does nothing on surfaces that know no sheets.
-template <class Surface>
-void place_on_sheets(const Surface& /* surface */, const std::vector<Separator>& /* separators */,
-                     const std::vector<Index>& /* packed */, Skeleton_builder& /* graph */)
-{
-}
-inline void place_on_sheets(const Triangulated_solid& solid, const std::vector<Separator>& separators,
-                            const std::vector<Index>& packed, Skeleton_builder& graph)
-{
-  for (Index i = 0; i < packed.size() && i < graph.size(); ++i) {
-    place_on_sheet(solid, separators[packed[i]], graph[i]);
-  }
-  settle_on_sheets(solid, graph);
-}
-
 } // namespace CSCD::internal
 
 #endif // CSCD_SKELETON_SHEET_NODES_H

@@ -275,10 +275,8 @@ inline void Skeleton_builder::compact()
 
 inline void make_simple(Skeleton_builder& builder)
 {
-  std::vector<std::pair<Index, Index>> edges;
-  builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
-  std::set<std::pair<Index, Index>> seen;
-  for (const auto& [a, b] : edges) {
+  std::set<Skeleton_builder::Edge> seen;
+  for (const auto& [a, b] : builder.edges()) {
     const double radius = (builder[a].radius + builder[b].radius) / 2;
     const Vector_3 along = builder[b].position - builder[a].position;
     if (a == b) {

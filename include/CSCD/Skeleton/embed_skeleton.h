@@ -35,7 +35,7 @@ inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>
   const Piece_vertices pieces(cut);
   const Cut_graph_nodes nodes(cut, pieces, routing, graph);
   make_simple(graph);
-  merge_junctions(graph);
+  Junction_merging{graph}();
   settle_on_sheets(cut.solid, graph);
   routing.bring_inside();
   Junction_centering(cut.solid, graph)();
@@ -129,23 +129,6 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   report.number_of_nodes_outside = outside.number_of_nodes;
   report.number_of_edges_outside = outside.number_of_edges;
   return result;
-}
-
-/// The same for separators that were packed without cutting the surface, at the default spacing of nodes; separators
-/// that cross an earlier one are left out.
-inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
-                                        const std::vector<Index>& packed, Skeletonization_report& report)
-{
-  Separator_arrangement arrangement(solid.triangulation());
-  std::vector<Index> inserted;
-  for (Index separator : packed) {
-    if (arrangement.insert(separator, separators[separator].crossings)) {
-      inserted.push_back(separator);
-    }
-  }
-  Cut_graph cut_graph(solid.triangulation(), arrangement);
-  cut_graph.cut(arrangement);
-  return embed_skeleton(solid, separators, inserted, cut_graph, Options().node_spacing, report);
 }
 
 } // namespace CSCD::internal

@@ -102,13 +102,6 @@ private:
   Skeleton_builder& m_builder;
 };
 
-/// Merges junctions of `builder` that are closer to each other than the body is thick there.
-inline void merge_junctions(Skeleton_builder& builder)
-{
-  Junction_merging merging(builder);
-  merging();
-}
-
 /// A ball in the body.
 struct Ball
 {
@@ -149,31 +142,18 @@ class Junction_centering
 public:
   Junction_centering(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder) {}
 
-  /// Moves every junction at most by the maximal radius around it.
-  void operator()()
-  {
-    center_if([](const Skeleton_builder::Node& /* node */) { return true; });
-  }
-
-  /// Likewise on sheets alone.
-  void center_on_sheets()
-  {
-    if (m_solid.number_of_sheets() > 0) {
-      center_if([](const Skeleton_builder::Node& node) { return node.is_on_sheet; });
-    }
-  }
-
-private:
-  template <class Predicate>
-  void center_if(const Predicate& is_chosen)
+  /// Moves every junction or, if `is_on_sheets`, the junctions on sheets, at most by the maximal radius around it.
+  void operator()(bool is_on_sheets = false)
   {
     for (Index node = 0; node < m_builder.size(); ++node) {
-      if (m_builder.is_junction(node) && is_chosen(m_builder[node]) && m_solid.is_inside(m_builder[node].position)) {
+      if (m_builder.is_junction(node) && (!is_on_sheets || m_builder[node].is_on_sheet) &&
+          m_solid.is_inside(m_builder[node].position)) {
         center(node);
       }
     }
   }
 
+private:
   void center(Index node)
   {
     double radius = 0;

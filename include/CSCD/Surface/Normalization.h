@@ -108,21 +108,6 @@ inline Normalization normalize_extent(std::vector<Vector_3>& points)
   return result;
 }
 
-/// Moves the center of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
-/// \pre `points` is not empty and all coordinates are finite
-/// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
-inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
-{
-  const Normalization to_cube = normalize_extent(points);
-  Vector_3 greatest = points.front();
-  for (const Vector_3& point : points) {
-    greatest = greatest.cwiseMax(point);
-  }
-  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centered already
-  internal::normalize(points, to_diagonal);
-  return to_cube.then(to_diagonal);
-}
-
 } // namespace CSCD
 
 #endif // CSCD_SURFACE_NORMALIZATION_H
