@@ -332,6 +332,9 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   constexpr double relative_offset = 0.015;
   // Both sides of a flat sheet would be mirror images, and which of them comes first a matter of rounding.
   constexpr double offset_of_second_side = 1 - 1e-3;
+  // Directions are multiples of its inverse, so that the order in which faces are summed does not matter. A conversion
+  // to single precision and back would do, but g++ 12 leaves it out where it computes several numbers at once.
+  constexpr double precision = 1 << 24;
   Doubled_sheets result;
   Sheet_search search(triangles, pairing);
   if (takes_all) {
@@ -368,10 +371,9 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   for (Index vertex = 0; vertex < n; ++vertex) {
     result.side[vertex] = copy[vertex] == no_index ? 0 : 1;
     if (copy[vertex] != no_index && normal[vertex].norm() > 0) {
-      const Vector_3 direction = normal[vertex].normalized();
-      // In single precision, the order of the faces does not matter.
-      const Vector_3 rounded(double(float(direction.x())), double(float(direction.y())), double(float(direction.z())));
-      const Vector_3 offset = relative_offset * search.width(vertex) * rounded;
+      const Vector_3 direction = precision * normal[vertex].normalized();
+      const Vector_3 rounded(std::round(direction.x()), std::round(direction.y()), std::round(direction.z()));
+      const Vector_3 offset = relative_offset * search.width(vertex) / precision * rounded;
       triangles.points[vertex] += offset;
       triangles.points[copy[vertex]] -= offset_of_second_side * offset;
     }

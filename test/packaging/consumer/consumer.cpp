@@ -3,7 +3,8 @@
 //
 // Usage: consumer MESH
 // The skeleton of the elephant of CGAL's data, which is closed, connected and of genus 3; by two threads if oneTBB is
-// there. The exit status is the number of faults.
+// there. Then that of a sheet, whose faces may come in any order, also where a compiler optimizes as for users. The
+// exit status is the number of faults.
 
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -13,12 +14,47 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <vector>
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+/// The nodes of a wavy sheet whose faces are numbered from one end or from the other.
+std::vector<Mesh::Point> nodes_of_sheet(bool is_reversed)
+{
+  constexpr std::size_t length = 40;
+  constexpr std::size_t width = 9;
+  Mesh mesh;
+  for (std::size_t i = 0; i < length * width; ++i) {
+    const double x = double(i / width);
+    const double y = double(i % width);
+    mesh.add_vertex({x, y, std::sin(0.2 * x) + 0.1 * y * y});
+  }
+  const auto vertex = [](std::size_t i) { return Mesh::Vertex_index(Mesh::size_type(i)); };
+  constexpr std::size_t number_of_squares = (length - 1) * (width - 1);
+  for (std::size_t i = 0; i < number_of_squares; ++i) {
+    const std::size_t square = is_reversed ? number_of_squares - 1 - i : i;
+    const std::size_t corner = square / (width - 1) * width + square % (width - 1);
+    mesh.add_face(vertex(corner), vertex(corner + width), vertex(corner + 1));
+    mesh.add_face(vertex(corner + 1), vertex(corner + width), vertex(corner + width + 1));
+  }
+  CSCD::Skeleton_graph<Mesh::Point, Mesh::Vertex_index> skeleton;
+  CSCD::extract_curve_skeleton(mesh, skeleton);
+  std::vector<Mesh::Point> result;
+  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+    result.push_back(skeleton[node].point);
+  }
+  return result;
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
-  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   Mesh mesh;
   if (argc != 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "Usage: consumer MESH\n";
@@ -44,5 +80,6 @@ int main(int argc, char** argv)
   expect(report.number_of_nodes_outside, 0, "nodes outside");
   expect(num_edges(skeleton), num_vertices(skeleton) + 2, "edges");
   expect(number_of_vertices, mesh.number_of_vertices(), "vertices of nodes");
+  expect(nodes_of_sheet(true) == nodes_of_sheet(false) ? 1 : 0, 1, "skeletons of a sheet for any order of faces");
   return number_of_faults;
 }
