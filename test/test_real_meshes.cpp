@@ -29,6 +29,12 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 using CSCD::test::Real_mesh;
 
+bool read_mesh(const Real_mesh& real_mesh, Mesh& mesh)
+{
+  std::ifstream file(real_mesh.path());
+  return CGAL::IO::read_OFF(file, mesh);
+}
+
 class Skeletonized_real_mesh : public testing::TestWithParam<Real_mesh>
 {
 protected:
@@ -37,8 +43,7 @@ protected:
     if (!GetParam().exists()) {
       CSCD_TEST_SKIP_OR_FAIL(GetParam().path() << " is missing: it comes with the Debian package libcgal-demo");
     }
-    std::ifstream file(GetParam().path());
-    ASSERT_TRUE(CGAL::IO::read_OFF(file, m_mesh));
+    ASSERT_TRUE(read_mesh(GetParam(), m_mesh));
     if (!CGAL::is_triangle_mesh(m_mesh)) {
       ASSERT_TRUE(CGAL::Polygon_mesh_processing::triangulate_faces(m_mesh));
     }
@@ -89,13 +94,10 @@ INSTANTIATE_TEST_SUITE_P(Cgal, Open_real_mesh, testing::ValuesIn(CSCD::test::ope
 
 TEST(Real_meshes, with_many_holes_are_bodies)
 {
-  const Real_mesh pierced{"elephant-with-holes", 1, 3, 106};
-  if (!pierced.exists()) {
-    CSCD_TEST_SKIP_OR_FAIL(pierced.path() << " is missing: it comes with the Debian package libcgal-demo");
-  }
   Mesh mesh;
-  std::ifstream file(pierced.path());
-  ASSERT_TRUE(CGAL::IO::read_OFF(file, mesh));
+  if (!read_mesh({"elephant-with-holes", 1, 3, 106}, mesh)) {
+    CSCD_TEST_SKIP_OR_FAIL("elephant-with-holes.off is missing: it comes with the Debian package libcgal-demo");
+  }
   Skeleton skeleton;
   const auto report = CSCD::extract_curve_skeleton(mesh, skeleton);
   EXPECT_EQ(report.number_of_sheets, 0u);
@@ -105,13 +107,10 @@ TEST(Real_meshes, with_many_holes_are_bodies)
 
 TEST(Real_meshes, with_a_pinched_vertex_are_refused_by_name)
 {
-  const Real_mesh pinched{"polygon_mesh", 1, 0, 0};
-  if (!pinched.exists()) {
-    CSCD_TEST_SKIP_OR_FAIL(pinched.path() << " is missing: it comes with the Debian package libcgal-demo");
-  }
   Mesh mesh;
-  std::ifstream file(pinched.path());
-  ASSERT_TRUE(CGAL::IO::read_OFF(file, mesh));
+  if (!read_mesh({"polygon_mesh", 1, 0, 0}, mesh)) {
+    CSCD_TEST_SKIP_OR_FAIL("polygon_mesh.off is missing: it comes with the Debian package libcgal-demo");
+  }
   Skeleton skeleton;
   try {
     CSCD::extract_curve_skeleton(mesh, skeleton);

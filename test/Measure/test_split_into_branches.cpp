@@ -35,26 +35,4 @@ TEST(Split_into_branches, of_known_graphs)
   EXPECT_EQ((Branches{{0, 1}, {1, 2, 1}}), branches(3, {{0, 1}, {1, 2}, {2, 1}}));
 }
 
-TEST(Split_into_branches, every_edge_belongs_to_one_branch)
-{
-  // all edges of a cube of 3 x 3 x 3 nodes: junctions of many degrees, and nodes of degree 2 nowhere but added
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  std::size_t next = 27;
-  for (std::size_t i = 0; i < 27; ++i) {
-    for (const std::size_t step : {std::size_t(1), std::size_t(3), std::size_t(9)}) {
-      if (i / step % 3 != 2) {
-        edges.emplace_back(i, next); // each edge of the cube has a node in its middle
-        edges.emplace_back(next++, i + step);
-      }
-    }
-  }
-  std::size_t number_of_edges = 0;
-  const Branches result = branches(next, edges);
-  for (const auto& branch : result) {
-    number_of_edges += branch.size() - 1;
-  }
-  EXPECT_EQ(edges.size(), number_of_edges);
-  EXPECT_EQ(edges.size() / 2, result.size());
-}
-
 } // namespace

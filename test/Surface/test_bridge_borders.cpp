@@ -81,15 +81,4 @@ TEST(bridge_borders, inserts_a_vertex_where_every_diagonal_exists)
   EXPECT_EQ(surface.degree(6), 6u);
 }
 
-TEST(bridge_borders, fills_a_round_hole_evenly)
-{
-  const auto input = CSCD::test::to_indexed_triangles(CSCD::test::tube(10, 1, 64, CSCD::test::Tube_end::open));
-  const Triangulated_surface surface = expect_closed(input, 2, 2);
-  Index max_degree = 0;
-  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    max_degree = std::max(max_degree, surface.degree(vertex));
-  }
-  EXPECT_LE(max_degree, 4u + 2 * 6u) << "a corner is cut off at most once in each of log2(64) rounds";
-}
-
 } // namespace
