@@ -19,6 +19,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -30,6 +31,18 @@ namespace internal {
 /// \param skeleton is replaced; its nodes hold the numbers of the points
 Tree_report skeletonize_trees(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root,
                               Skeleton& skeleton);
+
+/// The coordinates of the points of a range, in order.
+template <class PointRange, class PointMap>
+std::vector<Vector_3> coordinates_of(const PointRange& points, const PointMap& point_map)
+{
+  std::vector<Vector_3> result;
+  result.reserve(std::size_t(std::distance(points.begin(), points.end())));
+  for (const auto& element : points) {
+    result.push_back(to_vector_3(get(point_map, element)));
+  }
+  return result;
+}
 
 } // namespace internal
 
@@ -56,11 +69,7 @@ bool is_scan_of_trees(const PointRange& points, const NamedParameters& np = para
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t>();
   constexpr std::size_t min_number_of_points = 20000;
-  const auto point_map = internal::point_map(points, np);
-  std::vector<Vector_3> coordinates;
-  for (const auto& element : points) {
-    coordinates.push_back(internal::to_vector_3(get(point_map, element)));
-  }
+  const std::vector<Vector_3> coordinates = internal::coordinates_of(points, internal::point_map(points, np));
   const Point_cloud cloud = make_point_cloud(internal::sample_of(coordinates), {});
   return cloud.points.size() >= min_number_of_points && internal::is_scan_of_trees(internal::forms_of(cloud.points));
 }
@@ -108,16 +117,12 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
   static_assert(is_point_range_v<PointRange>, "CSCD: extract_tree_skeleton requires a range of points");
   check_curve_skeleton_graph<Skeleton>();
   const auto point_map = internal::point_map(points, np);
-  std::vector<Vector_3> coordinates;
-  for (const auto& element : points) {
-    coordinates.push_back(internal::to_vector_3(get(point_map, element)));
-  }
   std::optional<Vector_3> root;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::root_t>::value) {
     root = internal::to_vector_3(parameters::get_parameter(np, internal_np::root));
   }
   CSCD::Skeleton trees;
-  Tree_report report = internal::skeletonize_trees(coordinates, root, trees);
+  Tree_report report = internal::skeletonize_trees(internal::coordinates_of(points, point_map), root, trees);
   std::vector<Point_descriptor<PointRange>> descriptors;
   internal::for_each_descriptor(points, [&](std::size_t, const auto& point) { descriptors.push_back(point); });
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
