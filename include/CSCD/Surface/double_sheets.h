@@ -332,8 +332,8 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   constexpr double relative_offset = 0.015;
   // Both sides of a flat sheet would be mirror images, and which of them comes first a matter of rounding.
   constexpr double offset_of_second_side = 1 - 1e-3;
-  // Directions are multiples of its inverse, so that the order in which faces are summed does not matter. A conversion
-  // to single precision and back would do, but g++ 12 leaves it out where it computes several numbers at once.
+  // Directions are multiples of its inverse: sums over the faces in any order give the same. A conversion to single
+  // precision and back would do, but g++ 12 leaves it out where it computes several numbers at once.
   constexpr double precision = 1 << 24;
   Doubled_sheets result;
   Sheet_search search(triangles, pairing);
