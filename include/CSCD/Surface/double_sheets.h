@@ -22,6 +22,11 @@
 
 namespace CSCD::internal {
 
+/// Sums over faces are rounded to multiples of its inverse, so that they are the same for any order of the faces. A
+/// conversion to single precision and back would do, but g++ 12 leaves it out where it computes several numbers at
+/// once.
+inline constexpr double sum_precision = 1 << 24;
+
 /// A closed curve of edges with faces on one side only.
 struct Border_cycle
 {
@@ -293,7 +298,9 @@ private:
     }
     for (Index c = 0; c < m_width.size(); ++c) {
       if (m_width[c] == 0 && length[c] > 0) {
-        m_width[c] = double(float(2 * area[c] / length[c])); // in single precision for any order of the faces
+        int exponent = 0;
+        const double fraction = std::frexp(2 * area[c] / length[c], &exponent);
+        m_width[c] = std::ldexp(std::round(fraction * sum_precision) / sum_precision, exponent);
       }
     }
   }
@@ -332,9 +339,6 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   constexpr double relative_offset = 0.015;
   // Both sides of a flat sheet would be mirror images, and which of them comes first a matter of rounding.
   constexpr double offset_of_second_side = 1 - 1e-3;
-  // Directions are multiples of its inverse: sums over the faces in any order give the same. A conversion to single
-  // precision and back would do, but g++ 12 leaves it out where it computes several numbers at once.
-  constexpr double precision = 1 << 24;
   Doubled_sheets result;
   Sheet_search search(triangles, pairing);
   if (takes_all) {
@@ -371,9 +375,9 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   for (Index vertex = 0; vertex < n; ++vertex) {
     result.side[vertex] = copy[vertex] == no_index ? 0 : 1;
     if (copy[vertex] != no_index && normal[vertex].norm() > 0) {
-      const Vector_3 direction = precision * normal[vertex].normalized();
+      const Vector_3 direction = sum_precision * normal[vertex].normalized();
       const Vector_3 rounded(std::round(direction.x()), std::round(direction.y()), std::round(direction.z()));
-      const Vector_3 offset = relative_offset * search.width(vertex) / precision * rounded;
+      const Vector_3 offset = relative_offset * search.width(vertex) / sum_precision * rounded;
       triangles.points[vertex] += offset;
       triangles.points[copy[vertex]] -= offset_of_second_side * offset;
     }
