@@ -33,7 +33,7 @@ if(CSCD_CLANG_TIDY)
 
   # Never built: it only puts the file's options into compile_commands.json.
   add_library(cscd_tidy OBJECT EXCLUDE_FROM_ALL "${cscd_tidy_file}")
-  target_link_libraries(cscd_tidy PRIVATE CSCD::CSCD)
+  target_link_libraries(cscd_tidy PRIVATE CSCD::parallel)
   target_include_directories(cscd_tidy PRIVATE "${PROJECT_SOURCE_DIR}/src")
   set_target_properties(cscd_tidy PROPERTIES CXX_EXTENSIONS OFF EXPORT_COMPILE_COMMANDS ON)
 

@@ -14,7 +14,7 @@ install(
   COMPONENT library
   FILES_MATCHING
   PATTERN "*.h")
-install(TARGETS CSCD EXPORT CSCDTargets COMPONENT library)
+install(TARGETS CSCD cscd_parallel EXPORT CSCDTargets COMPONENT library)
 install(
   EXPORT CSCDTargets
   NAMESPACE CSCD::

@@ -134,8 +134,7 @@ public:
     m_report.number_of_straightened_loops = 0;
     Stage_runner run_stage(m_visitor, m_report.seconds);
     run_stage(Skeletonization_stage::find_separators, [&] {
-      constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
-      m_settings.number_of_threads = is_parallel ? m_number_of_threads : 1;
+      m_settings.number_of_threads = internal::threads_of_tag<ConcurrencyTag>(m_number_of_threads);
       m_separators = m_policies.find_separators(m_traits->surface(), m_settings, m_report,
                                                 [&](double fraction) { run_stage.progress(fraction); });
       m_report.number_of_separators = m_separators.size();

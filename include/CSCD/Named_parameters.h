@@ -232,13 +232,23 @@ auto combine(const NamedParameters& np, const MoreNamedParameters&... more)
 
 namespace internal {
 
-/// The number of threads that `ConcurrencyTag` and `np` ask for, 0 for as many as TBB allows; any integer type will do.
+/// The number of threads, 0 for as many as TBB allows: `number`, or 1 unless `ConcurrencyTag` asks for threads.
+template <class ConcurrencyTag>
+unsigned threads_of_tag(unsigned number)
+{
+  constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "CSCD: CGAL::Parallel_tag needs oneTBB: link CSCD::parallel");
+#endif
+  return is_parallel ? number : 1;
+}
+
+/// The number of threads that `ConcurrencyTag` and `np` ask for; any integer type will do.
 template <class ConcurrencyTag, class NamedParameters>
 unsigned requested_threads(const NamedParameters& np)
 {
-  constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
-  const auto number = parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_threads), 0u);
-  return is_parallel ? unsigned(number) : 1;
+  return threads_of_tag<ConcurrencyTag>(
+      unsigned(parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_threads), 0U)));
 }
 
 /// The options that `ConcurrencyTag` and `np` give. Any integer type will do for a number.

@@ -3,6 +3,8 @@
 //
 // Calls that the compiler must refuse, each with the sentence that its comment names, and with no other of ours.
 
+#undef CGAL_LINKED_WITH_TBB
+
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Named_parameters.h>
@@ -48,6 +50,8 @@ void parameters(const Mesh& mesh, Skeleton& skeleton, const std::vector<Point>& 
   CSCD::extract_curve_skeleton(points, skeleton_of_points, CSCD::parameters::random_seed(7u).vertex_point_map(0));
   // expected error: CSCD: detail belongs to the default policies and cannot be given with policies
   CSCD::extract_curve_skeleton(mesh, skeleton, CSCD::parameters::policies(CSCD::Local_policies()).detail(0.5));
+  // expected error: CSCD: CGAL::Parallel_tag needs oneTBB: link CSCD::parallel
+  CSCD::extract_curve_skeleton<CGAL::Parallel_tag>(mesh, skeleton);
 }
 
 // A range of points is not a mesh: the refusals name the missing functions; they are not errors inside Boost.
