@@ -71,25 +71,25 @@ class Branch(typing.NamedTuple):
     """A path between nodes of degree other than two, or a cycle."""
 
     nodes: IndexArray
-    """From end to end; one that returns to its first node has it at both ends."""
+    """The nodes from end to end; a branch that returns to its first node has it at both ends."""
     ends: tuple[str, str]
     """The kinds of both end nodes: "tip", "opening" (a tip at a border), "junction", "isolated" or "closed"."""
     length: float
-    """Along the edges, in the unit of the input."""
+    """Length along the edges, in the unit of the input."""
     chord: float
-    """The distance of both ends."""
+    """The distance between both ends, in the unit of the input."""
     min_radius: float
-    """Over the nodes."""
+    """The least radius of the nodes."""
     mean_radius: float
-    """Over the length."""
+    """The mean radius over the length."""
     max_radius: float
-    """Over the nodes."""
+    """The greatest radius of the nodes."""
     significance: float
     """How far its limb reaches beyond the body it stands on, in radii; infinite if it is never pruned."""
     volume: float
-    """Of the part of the body that belongs to the branch, in the cubed unit of the input; nan unless it is a mesh."""
+    """Volume of its part of the body, in the cubed unit of the input; nan unless the input is a mesh."""
     surface_area: float
-    """Of the part of the surface that belongs to the branch; nan unless it is a mesh."""
+    """Area of its part of the surface, in the squared unit of the input; nan unless the input is a mesh."""
     parent: int | None
     """The number of the branch before it on the way from the root; None at the root, and without `root`."""
     order: int | None
@@ -102,11 +102,11 @@ class Loop(typing.NamedTuple):
     kind: str
     """"handle", "tunnel" or "constriction"."""
     length: float
-    """In the unit of the input."""
+    """Length, in the unit of the input."""
     depth: float
-    """Of a constriction: how much longer a loop must become if it is to move away, relative to its length."""
+    """Depth of a constriction: how much longer a loop must become if it is to move away, relative to its length."""
     points: FloatArray
-    """Along the loop, a row of three coordinates each; the last and the first are neighbors."""
+    """Points along the loop, shape (n, 3); the last and the first are neighbors."""
 
 
 class Skeleton:
@@ -118,29 +118,29 @@ class Skeleton:
 
     @property
     def nodes(self) -> FloatArray:
-        """The positions, one row of three coordinates for each node, in the coordinates of the input."""
+        """The position of each node in the coordinates of the input, shape (n, 3)."""
         return self._core.nodes
 
     @property
     def edges(self) -> IndexArray:
-        """The two nodes of each edge."""
+        """The two nodes of each edge, counted from 0, shape (k, 2)."""
         return self._core.edges
 
     @property
     def radius(self) -> FloatArray:
-        """The mean distance from the curve to the surface around each node."""
+        """The mean distance of each node to the surface around it, in the unit of the input, shape (n,)."""
         return self._core.radius
 
     @property
     def significance(self) -> FloatArray:
-        """Of each edge: how far its limb reaches beyond the body it stands on, in radii of the limb; infinite if
-        pruning never cuts the edge."""
+        """Of each edge: how far its limb reaches beyond the body it stands on, in radii of the limb, shape (k,); infinite
+        if pruning never cuts the edge."""
         return self._core.significance
 
     @property
     def vertex_to_node(self) -> IndexArray:
-        """The node that each row of `V` belongs to, -1 without a node: for vertices without a face, and for vertices of
-        components that `min_component` removed. Rows that repairs merged belong to the same node."""
+        """The node that each row of `V` belongs to, shape (rows of `V`,). It is -1 for vertices without a face, and for
+        vertices of components that `min_component` removed. Rows that repairs merged belong to the same node."""
         return self._core.vertex_to_node
 
     @property
@@ -160,8 +160,8 @@ class Skeleton:
         return typing.cast("dict[str, typing.Any]", json.loads(self._core.report))
 
     def shape_diameters(self) -> FloatArray:
-        """The thickness of the body at each row of `V`, as `cscd diameter` writes it. Raises ValueError unless `F` is a
-        mesh that needed no repair."""
+        """The thickness of the body at each row of `V`, in the unit of the input, as `cscd diameter` writes it. Raises
+        ValueError unless `F` is a mesh that needed no repair."""
         return np.array(self._core.shape_diameters())
 
     def segment(self, *, parts: int = 0) -> IndexArray:
@@ -342,7 +342,7 @@ def skeletonize(
     The global interpreter lock is released while this runs: threads of Python skeletonize in parallel. Ctrl-C ends the
     work with KeyboardInterrupt, except while a surface is made of points and in scans of trees.
 
-    Raises ValueError if an argument cannot be obeyed, InputError, a ValueError, if the input cannot be skeletonized.
+    Raises ValueError if an argument cannot be obeyed, and InputError if the input cannot be skeletonized.
     """
     given = locals()
     points = _rows("V", V)
@@ -377,9 +377,9 @@ def read(filename: str | os.PathLike[str]) -> Shape:
 def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: float = 0.3) -> list[Loop]:
     """Closed geodesics around the handles, tunnels and constrictions of a body, as `cscd loops` writes them.
 
-    V: vertices, a row of three coordinates each
-    F: faces, a row of three or more indices of vertices each; repaired where they are not an oriented manifold
-    seed: of the random choice of sources
+    V: vertices, shape (n, 3), in any unit
+    F: the vertices of each face, shape (m, 3) or more; repaired where they are not an oriented manifold
+    seed: seed of the random choice of sources
     min_depth: constrictions that are less deep are left out
 
     Raises InputError if the faces do not form a surface.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tutorial runs as it stands, and annotations and stubs are those of the module."""
+"""The tutorial runs as it stands, the reference has the docstrings, annotations and stubs are those of the module."""
 
 import os
 import pathlib
@@ -28,6 +28,13 @@ def test_the_tutorial_runs(tmp_path, monkeypatch, capsys):
     assert len(names["coarse"].branches()) < len(names["skeleton"].branches())
     assert {path.name for path in tmp_path.iterdir()} == {"elephant.off", "elephant.html", "elephant.swc", "elephant.glb"}
     assert "F: has the shape" in capsys.readouterr().out
+
+
+def test_the_reference_is_up_to_date():
+    script = TUTORIAL.with_name("write_python_reference.py")
+    command = [sys.executable, script, "--check"]
+    outcome = subprocess.run(command, capture_output=True, text=True, timeout=100, check=False)
+    assert outcome.returncode == 0, outcome.stderr
 
 
 # Members that pybind11 adds to its classes, and a module that is imported for annotations only.
