@@ -52,7 +52,7 @@ public:
   };
 
   /// \param detail how small a limb may be to get a branch
-  /// \param node_spacing the length that edges may have where nodes are left out, see `Options`
+  /// \param node_spacing the length that edges may have where nodes are left out, in radii of the body, see `Options`
   explicit Local_policies(const Detail& detail = Detail(), double node_spacing = 0)
       : m_detail(detail), m_node_spacing(node_spacing)
   {

@@ -28,10 +28,11 @@ struct Options
   unsigned number_of_threads = 1;
   /// The bound on the number of sources that start a search for a separator. By default, the shape decides.
   std::size_t maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
-  /// How small a limb may be to get a branch, from 0 (no limb) to 1 (every bump). See `Detail`.
+  /// How small a limb may be to get a branch, from 0 (no limb) to 1 (every bump); other numbers are refused by an
+  /// `Input_error`. See `Detail`.
   double detail = 0.5;
-  /// The length that edges may have where nodes are left out of straight branches, relative to the radius of the body.
-  /// By default, only nodes that no vertex of the input belongs to are left out.
+  /// The length that edges may have where nodes are left out of straight branches, in radii of the body. At 0, the
+  /// default, only nodes that no vertex of the input belongs to are left out.
   double node_spacing = 0;
   /// Which components are sheets.
   Border_treatment border_treatment = Border_treatment::automatic;

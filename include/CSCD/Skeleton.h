@@ -14,13 +14,13 @@
 
 namespace CSCD {
 
-/// A curve skeleton as plain arrays: nodes and straight edges, in the coordinates of the input. All measures, readers
-/// and writers work on it; a Boost graph is converted at the boundary.
+/// A curve skeleton as plain arrays: nodes and straight edges, in the coordinates and the unit of the input. All
+/// measures, readers and writers work on it; a Boost graph is converted at the boundary.
 struct Skeleton
 {
-  std::vector<Vector_3> points;               ///< the nodes
-  std::vector<double> radii{};                ///< one for each node, or empty if they are not known
-  std::vector<std::array<Index, 2>> edges{};  ///< pairs of nodes
+  std::vector<Vector_3> points;               ///< the positions of the nodes
+  std::vector<double> radii{};                ///< mean distance of each node to the surface around it; empty if unknown
+  std::vector<std::array<Index, 2>> edges{};  ///< the two nodes of each edge, counted from 0
   std::vector<char> is_joined{};              ///< for each edge, whether it was added to join components
   std::vector<char> is_opening{};             ///< for each node, whether a limb ends there at a border; may be empty
   std::vector<double> significance{};         ///< one for each edge, see `compute_significance()`; may be empty
@@ -31,7 +31,7 @@ struct Skeleton
   std::size_t number_of_nodes() const { return points.size(); }
   /// Whether the radii are known.
   bool has_radii() const { return radii.size() == points.size(); }
-  /// The length of `edge`.
+  /// The length of `edge`, in the unit of the input.
   double length(const std::array<Index, 2>& edge) const { return (points[edge[1]] - points[edge[0]]).norm(); }
 };
 

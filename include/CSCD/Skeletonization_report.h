@@ -51,7 +51,7 @@ inline constexpr std::size_t number_of_cut_loop_outcomes = std::size_t(Cut_loop_
 struct Reconstruction_repair
 {
   std::array<double, 3> center{}; ///< of the loop that was cut, or of the gap that was bridged
-  double length = 0;              ///< of the loop that was cut, or the width of the gap
+  double length = 0;              ///< of the loop that was cut, or the width of the gap, in the unit of the input
 };
 
 /// Counts and measures of the reconstruction of a surface from points. Lengths are in the unit of the input.

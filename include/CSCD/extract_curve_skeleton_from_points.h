@@ -65,7 +65,7 @@ namespace CSCD {
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0: one a core}
+///     \cgalParamDefault{0: as many as TBB allows}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{policies}
 ///     \cgalParamDescription{the algorithms of the stages; `Published_policies` for the method as published. Policies

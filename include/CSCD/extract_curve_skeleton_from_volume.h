@@ -34,6 +34,7 @@ namespace CSCD {
 /// \param skeleton is cleared first; if the function throws, it is left as it was
 /// \param np an optional sequence of named parameters
 /// \return counts, timings and warnings
+/// \throw Input_error if `detail` is not from 0 to 1
 /// \throw Cancelled_error if the visitor stops the work
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Skeleton,
           class NamedParameters = parameters::Default_named_parameters>

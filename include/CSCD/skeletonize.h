@@ -20,15 +20,16 @@ namespace CSCD {
 
 /// Computes the curve skeleton of a triangle mesh. `extract_curve_skeleton()` does the same for meshes of any type.
 /// Near linear.
-/// \param points the vertices; vertices without a face belong to no node
-/// \param faces the vertices of each face, counterclockwise seen from outside, three different ones
+/// \param points the positions of the vertices, in any unit; vertices without a face belong to no node
+/// \param faces the vertices of each face, counted from 0, counterclockwise seen from outside, three different ones
 /// \param options the options
 /// \param visitor is informed of progress and may stop the work
 /// \param skeleton is replaced; if the function throws, it is left as it was. `skeleton.vertices` holds positions in
 ///        `points`
 /// \return counts, timings and warnings
 /// \pre the corners of the faces are less than the number of points
-/// \throw Input_error if the mesh cannot be skeletonized; the message names the element and the remedy
+/// \throw Input_error if the mesh cannot be skeletonized or an option is out of its range; the message names the
+///        element and the remedy
 /// \throw Cancelled_error if the visitor stops the work
 Skeletonization_report skeletonize(std::vector<Vector_3> points, std::vector<std::array<Index, 3>> faces,
                                    const Options& options, Any_skeletonization_visitor& visitor, Skeleton& skeleton);
