@@ -280,8 +280,35 @@ def colors_of_radii(values, low=None, high=None):
     return RADII[i] + (t - i)[:, None] * (RADII[i + 1] - RADII[i])
 
 
+def as_image(pixels):
+    from PIL import Image
+
+    return Image.fromarray((255 * np.clip(pixels, 0, 1) + 0.5).astype(np.uint8))
+
+
+class Animation:
+    """Frames that follow each other without end."""
+
+    ENDING = ".gif"
+    MILLISECONDS = 70  # of a frame
+    COLORS = 48  # of all frames together, so that none flickers
+
+    def __init__(self, frames):
+        self.frames = frames
+
+    def save(self, name):
+        from PIL import Image
+
+        some = np.concatenate(self.frames[:: max(1, len(self.frames) // 8)])
+        palette = as_image(some).quantize(self.COLORS, method=Image.Quantize.MEDIANCUT, kmeans=8)
+        first, *others = (as_image(f).quantize(palette=palette, dither=Image.Dither.NONE) for f in self.frames)
+        first.save(name, save_all=True, append_images=others, duration=self.MILLISECONDS, loop=0, optimize=True)
+
+
 class Picture:
     """A white picture that holds scenes and words, in pixels."""
+
+    ENDING = ".png"
 
     def __init__(self, width, height):
         self.pixels = np.ones((height, width, 3))
@@ -303,7 +330,7 @@ class Picture:
         from matplotlib import font_manager
         from PIL import Image, ImageDraw, ImageFont
 
-        image = Image.fromarray((255 * np.clip(self.pixels, 0, 1) + 0.5).astype(np.uint8))
+        image = as_image(self.pixels)
         draw = ImageDraw.Draw(image)
         for text, x, y, size, color, anchor, bold in self.words:
             font = font_manager.findfont(font_manager.FontProperties(family="DejaVu Sans", weight="bold" if bold else 400))

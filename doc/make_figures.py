@@ -21,7 +21,7 @@ import tempfile
 
 import numpy as np
 
-from drawing import (BRANCHES, OUTSIDE, Picture, Scene, colors_of_radii, view)
+from drawing import (BODY, BRANCHES, OUTSIDE, Animation, Picture, Scene, colors_of_radii, view)
 
 BENCHMARK = pathlib.Path(__file__).resolve().parent.parent / "benchmark"
 sys.path += [str(BENCHMARK), str(BENCHMARK / "reproduce")]
@@ -503,7 +503,39 @@ def vessel(options, shapes):
     return picture
 
 
-PICTURES = {"hero": hero, "inputs": inputs, "others": others, "comparison": comparison, "detail": detail, "gallery": gallery,
+def eased(t):
+    """From 0 to 1, slowly at both ends."""
+    t = min(max(t, 0), 1)
+    return t * t * (3 - 2 * t)
+
+
+def turning(options, shapes):
+    """A mesh that turns once around. Its skeleton appears in it, each vertex moves to its node, and back."""
+    path = shapes.mesh("camel")
+    points, faces = read_off(path)
+    table = shapes.folder / "correspondence.csv"
+    skeleton = skeletonize(options.program, path, "--correspondence", table)
+    node_of = np.array([row.split(",")[1] for row in table.read_text().splitlines()[1:]], int)
+    up, turn, tilt = POSES["camel"]
+    reach = np.linalg.norm(points[:, [0, 2]] - (points.min(0) + points.max(0))[[0, 2]] / 2, axis=1).max()
+    points, nodes = (p - (points.min(0) + points.max(0)) / 2 for p in (points, skeleton.points))
+    number = 60
+    frames = []
+    for i in range(number):
+        shrunk = eased((i - 18) / 18) - eased((i - 48) / 12)
+        shown = eased((i - 10) / 8) - eased((i - 50) / 10)
+        scene = Scene(view(up, turn + 360 * i / number, tilt))
+        scene.through *= shown
+        if shrunk < 1:  # the last of it are faces from branch to branch: they fade
+            scene.body((1 - shrunk) * points + shrunk * nodes[node_of], faces, BODY + eased(4 * shrunk - 3) * (1.2 - BODY))
+        if shown > 0:
+            scene.skeleton(nodes, skeleton.edges, skeleton.colors_of_branches(), 0.008)
+        half = np.array([reach, np.ptp(points[:, 1]) / 2 + reach * math.sin(math.radians(tilt)), reach])
+        frames.append(scene.draw(480, 440, (-half, half)))
+    return Animation(frames)
+
+
+PICTURES = {"turning": turning, "hero": hero, "inputs": inputs, "others": others, "comparison": comparison, "detail": detail, "gallery": gallery,
             "failures": failures, "vessel": vessel,
             "application_diameters": application_diameters, "application_parts": application_parts,
             "application_loops": application_loops}
@@ -522,8 +554,9 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         shapes = Shapes(pathlib.Path(folder))
         for name in names:
-            path = options.output / f"{name}.png"
-            PICTURES[name](options, shapes).save(path)
+            picture = PICTURES[name](options, shapes)
+            path = options.output / f"{name}{picture.ENDING}"
+            picture.save(path)
             print(path)
 
 

@@ -3,13 +3,15 @@
 #
 # Usage: check_manual.py SOURCE_DIR DOCUMENTATION_DIR
 # Fails unless the reference lists all names that Doxygen found to be public, by headers that exist, and all examples;
-# names in pages exist, and links of the manual lead to files; CITATION.cff and the recipes name the version of the
-# library.
+# names in pages exist, and links of pages and of the manual lead to files and headings; CITATION.cff and the recipes
+# name the version of the library.
 
 import pathlib
 import re
 import sys
 import xml.etree.ElementTree as ElementTree
+
+FOLDERS = ("doc", "integrations", "npm", "packaging")  # of pages
 
 
 def names_of(compound):
@@ -35,10 +37,27 @@ def dead_links(html):
                 yield f"{page.name}: {link} is not there"
 
 
+def headings(page):
+    """The headings of a page, as links name them."""
+    for heading in re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE):
+        yield re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+
+
+def dead_links_of_markdown(source):
+    """The links of all pages to files or headings that are not there."""
+    for page in sorted([*source.glob("*.md"), *(page for name in FOLDERS for page in (source / name).rglob("*.md"))]):
+        text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+        for link in re.findall(r"\]\(([^)\s:]+)\)", text):
+            name, _, heading = link.partition("#")
+            target = page.parent / name if name else page
+            if not target.exists() or (heading and heading not in headings(target)):
+                yield f"{page}: {link} is not there"
+
+
 def main():
     source, documentation = map(pathlib.Path, sys.argv[1:])
     reference = (source / "doc/manual/reference.dox").read_text(encoding="utf-8")
-    complaints = list(dead_links(documentation / "html"))
+    complaints = [*dead_links(documentation / "html"), *dead_links_of_markdown(source)]
 
     names, concepts = public_names(documentation / "CSCD.tag")
     listed = set(re.findall(r"`CSCD::(\w+)(?:\(\))?`", reference))
@@ -47,7 +66,7 @@ def main():
     for page in [source / "README.md", *sorted(source.glob("doc/*.md")), *sorted(source.glob("doc/manual/*.dox"))]:
         for name in sorted(set(re.findall(r"CSCD::(\w+)", page.read_text(encoding="utf-8"))) - names):
             # Targets of CMake, and a namespace.
-            if name not in ("CSCD", "application", "compiled", "io", "measure", "parameters", "tree"):
+            if name not in ("CSCD", "application", "compiled", "io", "measure", "parallel", "parameters", "tree"):
                 complaints.append(f"{page}: there is no CSCD::{name}, or it is not public")
     for header in re.findall(r"`(CSCD/[\w/]+\.h)`", reference):
         if not (source / "include" / header).is_file():
