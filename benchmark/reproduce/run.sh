@@ -5,9 +5,9 @@
 # Installs missing packages (Debian, Ubuntu), builds the programs of an experiment, runs it, and prints its tables.
 # Usage: benchmark/reproduce/run.sh NAME [PATH...] [OPTION...]
 #
-# NAME          PATH...               tables in doc/results.md unless another page is named
+# NAME          PATH...               tables in doc/results.md
 # performance
-# geodesics                           geodesics.md
+# geodesics
 # published     folders of closed meshes in OFF format, in addition to CGAL's
 # points        likewise
 # graphs        likewise
@@ -16,7 +16,7 @@
 # volumes       a folder that gets the volumes, about 400 MB; optionally the size of the largest
 # applications  PRINCETON [TOSCA [FAUST]]: see applications.py
 # quality       folders of meshes; by default CGAL's
-# pictures                            all pages
+# pictures                            pictures of all pages
 #
 # Options of the first seven: --write replaces the tables in the pages and in README.md; --repetitions N, by default 3,
 # is for what is timed; --quick measures little, as a test of the scripts. applications.py and quality.py have others.

@@ -37,7 +37,7 @@ namespace CSCD {
 /// pairs of triangular solves, and eight sets together as much as three alone.
 ///
 /// An estimate is exact to a few tenths of the mean edge length where the surface is smooth, and rounded off over two
-/// or three edges where shortest paths from different sides meet; doc/geodesics.md has figures. Distances of any number
+/// or three edges where shortest paths from different sides meet; doc/results.md has figures. Distances of any number
 /// of edges are right.
 /// The members that estimate are const and may be called by several threads at once.
 /// \tparam TriangleMesh a model of `FaceListGraph`
