@@ -30,6 +30,11 @@ def table(head, rows):
     return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *rows])
 
 
+def shown(default):
+    """A default as code; in single quotes, Doxygen would not see its end."""
+    return f'"{default}"' if isinstance(default, str) else repr(default)
+
+
 def paragraphs(docstring):
     """The paragraphs of a docstring, wrapped, and its arguments: name and text of each."""
     texts, arguments = [], []
@@ -48,9 +53,9 @@ def described(name, function):
     rows = []
     for argument, text in arguments:
         default = parameters.pop(argument).default
-        shown = "" if default is inspect.Parameter.empty else f"`{default!r}`"
+        cell = "" if default is inspect.Parameter.empty else f"`{shown(default)}`"
         text = re.sub(rf"(; | \()by default {re.escape(str(default))}\)", lambda m: ")" * (m[1] == "; "), text)
-        rows.append([f"`{argument}`", shown, in_cell(text)])
+        rows.append([f"`{argument}`", cell, in_cell(text)])
     if rows:
         others.insert(0, table(["argument", "default", "meaning"], rows))
     return [f"### `{name}({'' if rows else ', '.join(parameters)})`", first, *others]
@@ -87,7 +92,7 @@ def methods(cls):
             if len(arguments) > 2:
                 sections += described(f"skeleton.{name}", member)
                 continue
-            parameters = [p.name if p.default is p.empty else f"{p.name}={p.default!r}"
+            parameters = [p.name if p.default is p.empty else f"{p.name}={shown(p.default)}"
                           for p in list(inspect.signature(member).parameters.values())[1:]]
             options = [f"`{argument}`: {text}." for argument, text in arguments]
             rows.append([f"`{name}({', '.join(parameters)})`", in_cell(" ".join([texts[0], *options, *texts[1:]]))])
