@@ -41,25 +41,6 @@ bool is_simple(const Triangulated_surface& surface, const std::vector<Edge_cross
   return edges.size() == crossings.size();
 }
 
-TEST(Plane_section, is_a_circle_on_a_tube)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
-  Plane_section section(surface);
-  const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
-  const double height = surface.point(vertex).x();
-  ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, any_length));
-  EXPECT_TRUE(is_closed_curve(surface, section.crossings()));
-  EXPECT_TRUE(is_simple(surface, section.crossings()));
-  EXPECT_NEAR(section.length(), 2 * pi, 0.01);
-  ASSERT_EQ(section.points().size(), section.crossings().size());
-  double length = 0;
-  for (std::size_t i = 0; i < section.points().size(); ++i) {
-    EXPECT_NEAR(section.points()[i].x(), height, 0.001);
-    length += (section.points()[(i + 1) % section.points().size()] - section.points()[i]).norm();
-  }
-  EXPECT_NEAR(section.length(), length, 1e-12);
-}
-
 TEST(Plane_section, is_an_ellipse_where_the_plane_is_tilted)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(20, 1, 48, CSCD::test::Tube_end::flat));
