@@ -165,7 +165,6 @@ public:
       return m_graph.is_regular(node) && !m_graph[node].is_opening && (!is_on_sheets || m_graph[node].is_on_sheet);
     };
     std::vector<std::optional<Target>> targets(m_graph.size());
-    find_balls();
     for (int sweep = 0; sweep < number_of_sweeps + number_of_smoothings; ++sweep) {
       const bool is_smoothing = sweep >= number_of_sweeps;
       for (Index node = 0; node < m_graph.size(); ++node) {
@@ -200,8 +199,6 @@ private:
   static constexpr double window = 0.7;
   /// The distance of a target from its node, relative to R.
   static constexpr double max_shift = 0.5;
-  /// The part of the squared depth of a node that a ball around it has: rounding must not reach the surface.
-  static constexpr double max_ball_part = 0.99;
   /// How often a step is halved.
   static constexpr int max_halvings = 3;
 
@@ -324,11 +321,11 @@ private:
     const Vector_3 start = std::exchange(m_graph[index].position, position);
     const double turn = sharpest_turn(index);
     const auto stays_free = [&](Index neighbor) {
-      if (m_graph[index].is_on_sheet || is_free(index, neighbor)) {
+      if (m_graph[index].is_on_sheet || m_routing.is_free(index, neighbor)) {
         return true;
       }
       m_graph[index].position = start;
-      const bool was_free = is_free(index, neighbor);
+      const bool was_free = m_routing.is_free(index, neighbor);
       m_graph[index].position = position;
       return !was_free;
     };
@@ -337,33 +334,6 @@ private:
         (turn >= 0 || turn >= turn_before) && std::all_of(neighbors.begin(), neighbors.end(), stays_free);
     m_graph[index].position = start;
     return result;
-  }
-
-  /// A ball that the surface does not enter: edges in it cross no surface.
-  struct Clear_ball
-  {
-    Vector_3 center;
-    double squared_radius;
-  };
-
-  /// Finds the largest ball around each node: nearly all edges are in that of one of their ends.
-  void find_balls()
-  {
-    m_balls.clear();
-    for (Index node = 0; node < m_graph.size(); ++node) {
-      const Vector_3& center = m_graph[node].position;
-      const double squared_depth = (m_solid.closest_point(center).point - center).squaredNorm();
-      m_balls.push_back({center, max_ball_part * squared_depth});
-    }
-  }
-
-  bool is_free(Index a, Index b)
-  {
-    const auto holds_edge = [&](const Clear_ball& ball) {
-      return (m_graph[a].position - ball.center).squaredNorm() < ball.squared_radius &&
-             (m_graph[b].position - ball.center).squaredNorm() < ball.squared_radius;
-    };
-    return holds_edge(m_balls[a]) || holds_edge(m_balls[b]) || m_routing.is_free(a, b);
   }
 
   /// The least cosine of the turns at `node` and its neighbors.
@@ -381,7 +351,6 @@ private:
   Inside_routing<Triangulated_solid> m_routing;
   Body_section m_body_section;
   Sheet_section m_sheet_section;
-  std::vector<Clear_ball> m_balls; ///< around each node, where it was at first
 };
 
 } // namespace CSCD::internal
