@@ -244,13 +244,12 @@ public:
     int genus() const { return (2 - euler - int(separators.size())) / 2; }
   };
 
-  /// The pieces on the two sides of a separator, in no particular order; the same one twice where the separator does
-  /// not disconnect anything.
+  /// The pieces on the two sides of a separator; the same one twice where the separator does not disconnect anything.
   struct Sides
   {
-    Index first;
-    Index second;
-    Index other(Index piece) const { return first == piece ? second : first; }
+    Index right;
+    Index left; ///< where the normal of the separator points to
+    Index other(Index piece) const { return right == piece ? left : right; }
   };
 
   /// Cuts `surface` along the separators in `arrangement`; their positions are those in the order of insertion.
@@ -264,8 +263,8 @@ public:
       if (arrangement.points()[point].rank == 0) {
         const auto separator = Index(m_sides.size());
         m_sides.push_back({m_piece[parts.right[point]], m_piece[parts.left[point]]});
-        m_pieces[m_sides.back().first].separators.push_back(separator);
-        m_pieces[m_sides.back().second].separators.push_back(separator);
+        m_pieces[m_sides.back().right].separators.push_back(separator);
+        m_pieces[m_sides.back().left].separators.push_back(separator);
       }
     }
   }

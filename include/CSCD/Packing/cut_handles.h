@@ -267,7 +267,7 @@ private:
     std::vector<Index> needed;
     for (Index i = Index(trial.size()); i-- > 0;) {
       const Cut_graph::Sides& sides = cut_graph.sides(Index(m_packing.packed().size()) + i);
-      if (!pieces.join(sides.first, sides.second)) {
+      if (!pieces.join(sides.right, sides.left)) {
         needed.push_back(i);
       }
     }

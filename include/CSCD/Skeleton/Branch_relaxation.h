@@ -194,9 +194,6 @@ private:
   static constexpr double plain_share = 0.2;
   /// The change of R, relative to its difference from the radius of the section.
   static constexpr double radius_share = 0.5;
-  /// The direction of a branch is taken over this distance to both sides, relative to R: neighbors are often nearer
-  /// than the errors of their positions are small.
-  static constexpr double window = 0.7;
   /// The distance of a target from its node, relative to R.
   static constexpr double max_shift = 0.5;
   /// How often a step is halved.
@@ -213,8 +210,8 @@ private:
   std::optional<Target> target(Index index)
   {
     const Node& node = m_graph[index];
-    const Index from = end_of_window(index, node.neighbors[0]);
-    const Index to = end_of_window(index, node.neighbors[1]);
+    const Index from = node.neighbors[0];
+    const Index to = node.neighbors[1];
     const Vector_3 way = m_graph[to].position - m_graph[from].position;
     if (!(way.norm() > 0) || turn_cosine(index) < 0 || is_in_junction(index, from) || is_in_junction(index, to)) {
       return std::nullopt;
@@ -236,22 +233,10 @@ private:
     return middle ? std::optional<Target>({*middle, m_sheet_section.half_width()}) : std::nullopt;
   }
 
-  /// The first node beyond the window on the way from `node` over its neighbor `next`, or the end of the branch.
-  Index end_of_window(Index node, Index next) const
+  /// Whether `node` is in the ball of the junction `neighbor`, where sections lead into other branches.
+  bool is_in_junction(Index node, Index neighbor) const
   {
-    const Vector_3& center = m_graph[node].position;
-    const double distance = window * m_graph[node].radius;
-    Index before = node;
-    while (m_graph.is_regular(next) && next != node && (m_graph[next].position - center).norm() < distance) {
-      before = std::exchange(next, m_graph.other_neighbor(next, before));
-    }
-    return next;
-  }
-
-  /// Whether `node` is in the ball of the junction `end`, where sections lead into other branches.
-  bool is_in_junction(Index node, Index end) const
-  {
-    return m_graph.is_junction(end) && m_graph.edge_length(node, end) < m_graph[end].radius;
+    return m_graph.is_junction(neighbor) && m_graph.edge_length(node, neighbor) < m_graph[neighbor].radius;
   }
 
   /// The cosine of the turn at a regular node, 1 at any other.

@@ -146,13 +146,6 @@ private:
   static constexpr double min_opening_cosine = 0.3;
   /// A component without separators is this deep behind its border, relative to the radius: it is not a sheet.
   static constexpr double min_depth = 1.5;
-  /// Elsewhere, a border ends a stump, too short for a separator, if it is this far from the middle of its piece,
-  /// relative to the radius of the body there, ...
-  static constexpr double min_stump_length = 1.6;
-  /// ... has this radius, likewise, ...
-  static constexpr double min_stump_radius = 0.3;
-  /// ... and if the cosine of the angle between its normal and the stump is at least this.
-  static constexpr double min_stump_cosine = 0.5;
   /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius.
   static constexpr double min_depth_of_node = 0.5;
   /// The node of an opening is this far inside of the border, relative to its radius.
@@ -173,28 +166,13 @@ private:
   bool is_opening(const Bridged_border& border, Index piece) const
   {
     const std::vector<Index>& around = m_cut.around(piece);
-    if (around.empty()) {
-      return m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
-    }
-    if (around.size() > 1) {
-      return border.pieces.size() == 1 && ends_stump(border, piece);
+    if (around.size() != 1) {
+      return around.empty() && m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
     }
     const Separator& separator = m_cut.separator(last_separator(border, piece));
     const double side = separator.normal.dot(border.centroid - separator.center) < 0 ? -1 : 1;
     return border.length >= min_opening_length * separator.length &&
            side * separator.normal.dot(border.normal) >= min_opening_cosine;
-  }
-
-  bool ends_stump(const Bridged_border& border, Index piece) const
-  {
-    double radius = 0;
-    for (Index i : m_cut.around(piece)) {
-      radius = std::max(radius, m_cut.separator(i).radius());
-    }
-    const std::optional<Vector_3> centroid = m_pieces.centroid(piece);
-    const Vector_3 stump = centroid ? Vector_3(border.centroid - *centroid) : Vector_3::Zero();
-    return stump.norm() >= min_stump_length * radius && border.radius >= min_stump_radius * radius &&
-           border.normal.dot(stump) >= min_stump_cosine * stump.norm();
   }
 
   /// The last separator of the limb that ends in `piece` before separators that cross `border`, as many do where the
@@ -263,11 +241,6 @@ private:
   static constexpr double tip_depth = 0.65;
   /// An edge to a tip has at least this length, likewise.
   static constexpr double min_tip_length = 0.3;
-  /// The distance of the far end of a piece from its base, relative to the length of the ray and to the radius, from
-  /// which on the ray does not decide.
-  static constexpr double max_reach_of_end = 2;
-  /// The part of a piece beyond this distance is far, relative to its farthest point.
-  static constexpr double far_part = 0.6;
 
   void add_tips(Index piece)
   {
@@ -284,7 +257,7 @@ private:
       add_tip(piece, base, -openings.front().normal);
     } else if (number_of_ways == 1) {
       if (!m_graph[base].is_on_sheet) {
-        end_limb(piece, base);
+        add_tip(piece, base, outward_normal(piece, start));
       }
     } else {
       const Vector_3 direction = (m_pieces.farthest(piece, start) - start).normalized();
@@ -293,36 +266,13 @@ private:
     }
   }
 
-  /// The normal of the only separator of `piece`, into the piece.
-  Vector_3 outward_normal(Index piece, Index base) const
+  /// The normal of the only separator of `piece`, at `start`, into the piece.
+  Vector_3 outward_normal(Index piece, const Vector_3& start) const
   {
-    const Vector_3& start = m_graph[base].position;
-    const Vector_3& normal = m_cut.separator(m_cut.around(piece).front()).normal;
-    Vector_3 way = normal;
-    if (const std::optional<Vector_3> centroid = m_pieces.centroid(piece)) {
-      way = *centroid - start;
-    } else if (m_graph.degree(base) > 0) {
-      way = start - m_graph[m_graph[base].neighbors[0]].position;
-    }
-    return normal.dot(way) < 0 ? Vector_3(-normal) : normal;
-  }
-
-  /// Adds a tip in the direction of the only separator of `piece`; where that meets a wall early, as in a cup, one
-  /// towards the far part of the piece.
-  void end_limb(Index piece, Index base)
-  {
-    const Vector_3& start = m_graph[base].position;
-    const Vector_3 direction = outward_normal(piece, base);
-    const double reach = std::max(distance_to_end(piece, base, direction), m_graph[base].radius);
-    std::optional<Vector_3> far_end;
-    if ((m_pieces.farthest(piece, start) - start).norm() > max_reach_of_end * reach) {
-      far_end = far_end_of(piece, base);
-    }
-    if (far_end) {
-      join_tip(piece, base, *far_end);
-    } else {
-      add_tip(piece, base, direction);
-    }
+    const Index end = m_cut.around(piece).front();
+    const double side = m_cut.cut_graph.sides(end).left == piece ? 1 : -1;
+    const Vector_3 normal = side * m_cut.separator(end).normal;
+    return normal.dot(m_pieces.centroid(piece).value_or(start + normal) - start) < 0 ? Vector_3(-normal) : normal;
   }
 
   /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
@@ -334,18 +284,13 @@ private:
     const double depth = tip_depth * radius;
     const double length = reach - (reach > depth ? depth : depth / 2);
     if (length >= min_tip_length * radius) {
-      join_tip(piece, base, start + length * direction);
+      const Index tip = m_graph.add_node(start + length * direction, radius);
+      m_graph[tip].pieces = {piece};
+      m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
+      m_graph.add_edge(base, tip);
     } else if (length > 0 && m_graph.degree(base) == 1) {
       m_graph[base].position = start + length * direction;
     }
-  }
-
-  void join_tip(Index piece, Index base, const Vector_3& position)
-  {
-    const Index tip = m_graph.add_node(position, m_graph[base].radius);
-    m_graph[tip].pieces = {piece};
-    m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
-    m_graph.add_edge(base, tip);
   }
 
   double distance_to_end(Index piece, Index base, const Vector_3& direction) const
@@ -356,24 +301,6 @@ private:
     }
     const std::optional<Surface_hit> hit = m_cut.solid.first_hit(start, direction);
     return hit ? hit->distance : 0;
-  }
-
-  /// A place inside below the surface of `piece` that is far from `base`, in the direction of the mean of that.
-  std::optional<Vector_3> far_end_of(Index piece, Index base) const
-  {
-    const Vector_3& start = m_graph[base].position;
-    const double far = far_part * (m_pieces.farthest(piece, start) - start).norm();
-    Vector_3 sum = Vector_3::Zero();
-    for (Index vertex : m_pieces[piece]) {
-      const Vector_3 way = m_pieces.point(vertex) - start;
-      sum += way.norm() > far ? way : Vector_3(Vector_3::Zero());
-    }
-    const Vector_3 direction = sum.normalized();
-    const double length = m_pieces.extent(piece, start, direction) - tip_depth * m_graph[base].radius;
-    const Vector_3 place = start + length * direction;
-    const std::optional<Vector_3> result =
-        m_cut.solid.is_inside(place) ? std::optional<Vector_3>(place) : m_cut.solid.middle_behind(place);
-    return result && m_cut.solid.is_inside(*result) ? result : std::nullopt;
   }
 
   const Cut_solid& m_cut;
