@@ -31,88 +31,66 @@ struct Bridged_border
   std::vector<Index> pieces;            ///< of the cut surface, that it passes, in ascending order
 };
 
-/// Finds the borders of a surface that were bridged.
-class Bridged_border_search
+/// The border along the halfedges of `curve`.
+inline Bridged_border measure_border(const Triangulated_surface& surface, const Cut_graph& cut_graph,
+                                     const std::vector<Index>& curve)
 {
-public:
-  Bridged_border_search(const Triangulated_surface& surface, const Cut_graph& cut_graph)
-      : m_surface(surface), m_cut_graph(cut_graph)
-  {
+  Bridged_border border;
+  std::vector<Vector_3> points;
+  for (Index h : curve) {
+    points.push_back(surface.point(surface.origin(h)));
+    border.pieces.push_back(cut_graph.piece_of_vertex(surface.origin(h)));
   }
-
-  /// All borders, in the order of their first halfedges; linear in the number of hole-filling faces.
-  std::vector<Bridged_border> operator()() const
-  {
-    std::vector<Bridged_border> result;
-    const Index first = 3 * m_surface.first_hole_filling_face();
-    std::vector<char> is_met(m_surface.number_of_halfedges() - first, 0);
-    std::vector<Index> curve;
-    for (Index start = first; start < m_surface.number_of_halfedges(); ++start) {
-      curve.clear();
-      for (Index h = start; is_on_border(h) && is_met[h - first] == 0; h = next_on_border(h)) {
-        is_met[h - first] = 1;
-        curve.push_back(h);
-      }
-      if (!curve.empty()) {
-        result.push_back(measure(curve));
-      }
-    }
-    return result;
+  std::sort(border.pieces.begin(), border.pieces.end());
+  border.pieces.erase(std::unique(border.pieces.begin(), border.pieces.end()), border.pieces.end());
+  const Polygon_measures measures = measure_polygon(points);
+  border.centroid = measures.center;
+  border.normal = measures.vector_area.normalized();
+  border.length = measures.length;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector_3& next = points[i + 1 < points.size() ? i + 1 : 0];
+    const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
+    border.radius += (next - points[i]).norm() / border.length * distance;
   }
-
-private:
-  bool is_hole_filling(Index h) const { return m_surface.is_hole_filling(Triangulated_surface::face(h)); }
-  bool is_on_border(Index h) const { return is_hole_filling(h) && !is_hole_filling(m_surface.twin(h)); }
-
-  /// The next halfedge of the curve, along the hole-filling faces around the target of `h`.
-  Index next_on_border(Index h) const
-  {
-    h = Triangulated_surface::next(h);
-    while (!is_on_border(h)) {
-      h = Triangulated_surface::next(m_surface.twin(h));
-    }
-    return h;
-  }
-
-  Bridged_border measure(const std::vector<Index>& curve) const
-  {
-    Bridged_border border;
-    std::vector<Vector_3> points;
-    for (Index h : curve) {
-      points.push_back(m_surface.point(m_surface.origin(h)));
-      border.pieces.push_back(m_cut_graph.piece_of_vertex(m_surface.origin(h)));
-    }
-    std::sort(border.pieces.begin(), border.pieces.end());
-    border.pieces.erase(std::unique(border.pieces.begin(), border.pieces.end()), border.pieces.end());
-    const Polygon_measures measures = measure_polygon(points);
-    border.centroid = measures.center;
-    border.normal = measures.vector_area.normalized();
-    border.length = measures.length;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector_3& next = points[i + 1 < points.size() ? i + 1 : 0];
-      const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
-      border.radius += (next - points[i]).norm() / border.length * distance;
-    }
-    return border;
-  }
-
-  const Triangulated_surface& m_surface;
-  const Cut_graph& m_cut_graph;
-};
-
-/// The borders of `surface` that were bridged, if any.
-inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& surface, const Cut_graph& cut_graph)
-{
-  return Bridged_border_search(surface, cut_graph)();
+  return border;
 }
 
-/// Finds the borders where limbs end, and leads the skeleton there.
-class Limb_openings
+/// The borders of `surface` that were bridged, in the order of their first halfedges; linear in the number of
+/// hole-filling faces.
+inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& surface, const Cut_graph& cut_graph)
+{
+  const auto is_hole_filling = [&](Index h) { return surface.is_hole_filling(Triangulated_surface::face(h)); };
+  const auto is_on_border = [&](Index h) { return is_hole_filling(h) && !is_hole_filling(surface.twin(h)); };
+  std::vector<Bridged_border> result;
+  const Index first = 3 * surface.first_hole_filling_face();
+  std::vector<char> is_met(surface.number_of_halfedges() - first, 0);
+  std::vector<Index> curve;
+  for (Index start = first; start < surface.number_of_halfedges(); ++start) {
+    curve.clear();
+    for (Index h = start; is_on_border(h) && is_met[h - first] == 0;) {
+      is_met[h - first] = 1;
+      curve.push_back(h);
+      // On along the hole-filling faces around the target.
+      h = Triangulated_surface::next(h);
+      while (!is_on_border(h)) {
+        h = Triangulated_surface::next(surface.twin(h));
+      }
+    }
+    if (!curve.empty()) {
+      result.push_back(measure_border(surface, cut_graph, curve));
+    }
+  }
+  return result;
+}
+
+/// Leads branches to the ends of limbs, and to the middle of the borders where limbs end. Branches on sheets go on
+/// later, once they are centered.
+class Limb_ends
 {
 public:
   /// All are referred to.
-  Limb_openings(const Cut_solid& cut, const Piece_vertices& pieces, Skeleton_builder& graph)
-      : m_cut(cut), m_pieces(pieces), m_graph(graph), m_openings(cut.number_of_pieces())
+  Limb_ends(const Cut_solid& cut, const Piece_vertices& pieces, const Cut_graph_nodes& nodes, Skeleton_builder& graph)
+      : m_cut(cut), m_pieces(pieces), m_nodes(nodes), m_graph(graph), m_openings(cut.number_of_pieces())
   {
     for (const Bridged_border& border : bridged_borders(cut.solid.triangulation(), cut.cut_graph)) {
       const Index piece = piece_behind(border);
@@ -122,19 +100,11 @@ public:
     }
   }
 
-  /// The borders where `piece` is open.
-  const std::vector<Bridged_border>& of(Index piece) const { return m_openings[piece]; }
-
-  /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.
-  void open(Index piece, Index node)
+  void operator()()
   {
-    const bool is_end = m_cut.around(piece).size() == 1 && m_openings[piece].size() == 1;
-    for (const Bridged_border& border : m_openings[piece]) {
-      const Index last = is_end ? shorten_limb(piece, node, border) : node;
-      const Vector_3 position = border.centroid - opening_depth * border.radius * border.normal;
-      const Index opening = m_graph.add_node(position, border.radius);
-      m_graph[opening].is_opening = true;
-      m_graph.add_edge(last, opening);
+    for (Index piece = 0; piece < m_cut.number_of_pieces(); ++piece) {
+      open(piece, m_nodes.node_of_piece(piece));
+      add_tips(piece);
     }
   }
 
@@ -150,6 +120,14 @@ private:
   static constexpr double min_depth_of_node = 0.5;
   /// The node of an opening is this far inside of the border, relative to its radius.
   static constexpr double opening_depth = 0.01;
+
+  /// A component of a smaller radius, relative to the root of the area of the surface, is flat: inside tests are
+  /// unreliable there.
+  static constexpr double min_thickness = 1e-7;
+  /// Tips stay this far below the surface, relative to the radius.
+  static constexpr double tip_depth = 0.65;
+  /// An edge to a tip has at least this length, likewise.
+  static constexpr double min_tip_length = 0.3;
 
   /// The piece that is open at `border`: where separators cross that, the piece at the end of a limb. Where there are
   /// several of these, the border goes along the body, as that of a sheet does, and the result is `no_index`.
@@ -190,6 +168,19 @@ private:
     }
   }
 
+  /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.
+  void open(Index piece, Index node)
+  {
+    const bool is_end = m_cut.around(piece).size() == 1 && m_openings[piece].size() == 1;
+    for (const Bridged_border& border : m_openings[piece]) {
+      const Index last = is_end ? shorten_limb(piece, node, border) : node;
+      const Vector_3 position = border.centroid - opening_depth * border.radius * border.normal;
+      const Index opening = m_graph.add_node(position, border.radius);
+      m_graph[opening].is_opening = true;
+      m_graph.add_edge(last, opening);
+    }
+  }
+
   /// Removes the nodes at the end of a limb whose separators cross its border, and nodes near the plane of the border
   /// or beyond it. \return the last node that is left
   Index shorten_limb(Index piece, Index end, const Bridged_border& border)
@@ -209,42 +200,9 @@ private:
     return end;
   }
 
-  const Cut_solid& m_cut;
-  const Piece_vertices& m_pieces;
-  Skeleton_builder& m_graph;
-  std::vector<std::vector<Bridged_border>> m_openings; ///< of each piece
-};
-
-/// Leads branches to the ends of limbs. Branches on sheets go on later, once they are centered.
-class Limb_ends
-{
-public:
-  /// All are referred to.
-  Limb_ends(const Cut_solid& cut, const Piece_vertices& pieces, const Cut_graph_nodes& nodes, Skeleton_builder& graph)
-      : m_cut(cut), m_pieces(pieces), m_nodes(nodes), m_graph(graph), m_openings(cut, pieces, graph)
-  {
-  }
-
-  void operator()()
-  {
-    for (Index piece = 0; piece < m_cut.number_of_pieces(); ++piece) {
-      m_openings.open(piece, m_nodes.node_of_piece(piece));
-      add_tips(piece);
-    }
-  }
-
-private:
-  /// A component of a smaller radius, relative to the root of the area of the surface, is flat: inside tests are
-  /// unreliable there.
-  static constexpr double min_thickness = 1e-7;
-  /// Tips stay this far below the surface, relative to the radius.
-  static constexpr double tip_depth = 0.65;
-  /// An edge to a tip has at least this length, likewise.
-  static constexpr double min_tip_length = 0.3;
-
   void add_tips(Index piece)
   {
-    const std::vector<Bridged_border>& openings = m_openings.of(piece);
+    const std::vector<Bridged_border>& openings = m_openings[piece];
     const std::size_t number_of_ways = m_cut.around(piece).size() + openings.size();
     const Index base = m_nodes.node_of_piece(piece);
     const Vector_3 start = m_graph[base].position;
@@ -307,7 +265,7 @@ private:
   const Piece_vertices& m_pieces;
   const Cut_graph_nodes& m_nodes;
   Skeleton_builder& m_graph;
-  Limb_openings m_openings;
+  std::vector<std::vector<Bridged_border>> m_openings; ///< of each piece
 };
 
 } // namespace CSCD::internal
