@@ -194,7 +194,7 @@ public:
   /// Adds nodes in the middle of sections of the sheet beyond every tip on a sheet, the last one at the border.
   void operator()()
   {
-    const Index size = m_solid.number_of_sheets() > 0 ? m_graph.size() : 0;
+    const Index size = m_graph.size();
     for (Index node = 0; node < size; ++node) {
       if (m_graph.degree(node) == 1 && m_graph[node].is_on_sheet) {
         prolong(node);

@@ -49,6 +49,7 @@ inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
     Branch_relaxation relaxation(solid, graph);
     relaxation(true);
     Sheet_ends(solid, graph)();
+    relaxation(true); // the last nodes have a direction now
     settle_on_sheets(solid, graph);
   }
 }
