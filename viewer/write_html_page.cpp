@@ -111,11 +111,11 @@ Json encode(const std::vector<Number>& numbers)
 std::vector<double> limits(const Skeleton& skeleton, const std::vector<Index>& branch_of_edge,
                            std::size_t number_of_branches, Branch_measure measure)
 {
-  const Branch_levels fall = branch_levels(skeleton, measure);
+  const Branch_hierarchy fall(skeleton, measure);
   std::vector<double> result(number_of_branches, std::numeric_limits<double>::infinity());
   for (std::size_t e = 0; e < branch_of_edge.size(); ++e) {
-    if (fall.is_last[e] == 0) {
-      result[branch_of_edge[e]] = fall.levels[e];
+    if (!fall.is_last(Index(e))) {
+      result[branch_of_edge[e]] = fall.levels()[e];
     }
   }
   return result;

@@ -103,8 +103,7 @@ inline Embedded_skeleton embed_packed_separators(const Triangulated_solid& solid
       inserted.push_back(separator);
     }
   }
-  Cut_graph cut_graph(solid.triangulation(), arrangement);
-  cut_graph.cut(arrangement);
+  const Cut_graph cut_graph(solid.triangulation(), arrangement);
   return embed_skeleton(solid, separators, inserted, cut_graph, Options().node_spacing, report);
 }
 

@@ -418,7 +418,7 @@ private:
   void add_basis_loops()
   {
     const Separator_arrangement nothing(m_surface);
-    Handle_loops handle_loops(m_solid.levels().finest(), nothing);
+    Handle_loops handle_loops(m_surface, nothing);
     std::size_t roots_left = max_visits / m_surface.number_of_vertices();
     Index last_component = no_index;
     for (Index root = 0; root < m_surface.number_of_vertices(); ++root) {

@@ -106,13 +106,13 @@ public:
   /// Cuts limbs whose measure is below `threshold`. Their vertices go to the nodes where they are cut.
   void prune(Branch_measure measure, double threshold)
   {
-    const Branch_levels limbs = branch_levels(skeleton(), measure);
+    const Branch_hierarchy limbs(skeleton(), measure);
     std::vector<char> is_kept(skeleton().edges.size());
     std::vector<char> is_node_kept(skeleton().number_of_nodes(), 1);
     Disjoint_sets cut_off(is_node_kept.size()); // together with the only node that all of it was cut from
     for (std::size_t e = 0; e < is_kept.size(); ++e) {
       const auto& [a, b] = skeleton().edges[e];
-      is_kept[e] = limbs.levels[e] >= threshold || limbs.is_last[e] != 0 ? 1 : 0;
+      is_kept[e] = limbs.levels()[e] >= threshold || limbs.is_last(Index(e)) ? 1 : 0;
       if (is_kept[e] == 0) {
         is_node_kept[a] = is_node_kept[b] = 0;
         cut_off.join(a, b);

@@ -450,8 +450,7 @@ private:
     const Triangulated_surface& surface = m_levels.finest().surface;
     Disjoint_separators disjoint(surface, separators, costs);
     disjoint.pack([](Index) { return true; });
-    Cut_graph cut_graph(surface, disjoint.arrangement());
-    cut_graph.cut(disjoint.arrangement());
+    const Cut_graph cut_graph(surface, disjoint.arrangement());
     const Spurious_branches bumps(cut_graph, separators, disjoint.packed(), m_min_branch_area_ratio);
     std::vector<char> is_bump(separators.size(), 0);
     for (Index separator : bumps.separators()) {

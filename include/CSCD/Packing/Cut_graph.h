@@ -8,13 +8,10 @@
 
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -40,21 +37,13 @@ public:
     Index rank; ///< in the list of crossings of the separator
   };
 
-  /// A piece of a separator within one face, from one edge point to the next.
+  /// A piece of a separator within one face, from one edge point to the next; it has the number of its end.
   struct Chord
   {
     Index begin; ///< index of an edge point
     Index end;   ///< index of an edge point
     Index face;
     Index next; ///< index of another chord in the same face, or `no_index`
-  };
-
-  /// An end of a chord.
-  struct Chord_end
-  {
-    Index point; ///< index of an edge point
-    Index chord;
-    bool is_last; ///< whether the chord ends there, else it begins
   };
 
   explicit Separator_arrangement_on(const Triangulation& surface)
@@ -111,6 +100,18 @@ public:
     return std::tie(a.position, a.separator, a.rank) < std::tie(b.position, b.separator, b.rank);
   }
 
+  /// All points, sorted by edges, and along these. O(m log m).
+  std::vector<Index> points_along_edges() const
+  {
+    std::vector<Index> result(m_points.size());
+    std::iota(result.begin(), result.end(), Index(0));
+    std::sort(result.begin(), result.end(), [&](Index a, Index b) {
+      return m_points[a].edge != m_points[b].edge ? m_points[a].edge < m_points[b].edge
+                                                  : is_before_on_edge(m_points[a], m_points[b]);
+    });
+    return result;
+  }
+
   /// Whether point `a` comes before point `b` on the way around `face`.
   bool is_before(Index a, Index b, Index face) const
   {
@@ -122,23 +123,37 @@ public:
     return side(p.edge, face) < side(q.edge, face);
   }
 
-  /// Writes the ends of the chords of `face` to `ends`, in their order around it.
-  void collect_ends(Index face, std::vector<Chord_end>& ends) const
+  /// Whether the separator crosses the edge of `point` from its greater halfedge.
+  bool leaves_reversed(Index point) const { return is_reversed(m_points[point].edge, m_chords[point].face); }
+
+  /// The part of the area of its face that `chord` cuts off from the corner where the sides of the face begin.
+  double part_cut_off(const Chord& chord) const
   {
-    ends.clear();
-    for (Index i = first_chord(face); i != no_index; i = m_chords[i].next) {
-      ends.push_back({m_chords[i].begin, i, false});
-      ends.push_back({m_chords[i].end, i, true});
+    Index low = chord.begin;
+    Index high = chord.end;
+    if (is_before(high, low, chord.face)) {
+      std::swap(low, high);
     }
-    std::sort(ends.begin(), ends.end(),
-              [&](const Chord_end& a, const Chord_end& b) { return is_before(a.point, b.point, face); });
+    const Index first_side = side(m_points[low].edge, chord.face);
+    const Index last_side = side(m_points[high].edge, chord.face);
+    const double from = position_along_side(low, chord.face);
+    const double to = position_along_side(high, chord.face);
+    if (first_side == last_side) {
+      return 0;
+    }
+    return last_side - first_side == 1 ? (1 - from) * to : 1 - from * (1 - to);
   }
+
+private:
+  static bool is_reversed(Index edge, Index face) { return Triangulation::face(edge) != face; }
 
   /// The side of `face`, 0 to 2, that lies on `edge`.
   Index side(Index edge, Index face) const { return (is_reversed(edge, face) ? m_surface.twin(edge) : edge) % 3; }
 
-private:
-  static bool is_reversed(Index edge, Index face) { return Triangulation::face(edge) != face; }
+  double position_along_side(Index point, Index face) const
+  {
+    return is_reversed(m_points[point].edge, face) ? 1 - m_points[point].position : m_points[point].position;
+  }
 
   bool crosses_any(const Chord& chord) const
   {
@@ -174,6 +189,44 @@ private:
 /// The arrangements of the local method.
 using Separator_arrangement = Separator_arrangement_on<Triangulated_surface>;
 
+/// The parts that the points of an arrangement divide edges into. A part at an end of its edge has the number of the
+/// vertex there, the others follow the vertices.
+struct Edge_parts
+{
+  /// O(m log m) for m points.
+  Edge_parts(const Triangulated_surface& surface, const Separator_arrangement& arrangement)
+      : size(surface.number_of_vertices()), left(arrangement.points().size()), right(left.size())
+  {
+    const std::vector<Separator_arrangement::Edge_point>& points = arrangement.points();
+    const std::vector<Index> order = arrangement.points_along_edges();
+    Index after = no_index;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Index edge = points[order[i]].edge;
+      const bool is_first = i == 0 || points[order[i - 1]].edge != edge;
+      const bool is_last = i + 1 == order.size() || points[order[i + 1]].edge != edge;
+      const Index before = is_first ? surface.origin(edge) : after;
+      after = is_last ? surface.target(edge) : size++;
+      const bool is_reversed = arrangement.leaves_reversed(order[i]);
+      left[order[i]] = is_reversed ? before : after;
+      right[order[i]] = is_reversed ? after : before;
+    }
+  }
+
+  /// Joins the parts that a separator has on one side. As all that is between two chords of a face borders on one of
+  /// them, this joins all parts that a face connects.
+  void join_along_separators(const Separator_arrangement& arrangement, Disjoint_sets& sets) const
+  {
+    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
+      sets.join(left[chord.begin], left[chord.end]);
+      sets.join(right[chord.begin], right[chord.end]);
+    }
+  }
+
+  Index size;               ///< the number of parts and of vertices
+  std::vector<Index> left;  ///< for each point, the part on the left of its separator
+  std::vector<Index> right; ///< likewise
+};
+
 /// The surface cut along disjoint separators: a graph whose vertices are the pieces and whose edges are the separators.
 /// Its first Betti number is at most the genus of the surface, and equal to it if no piece has a handle.
 class Cut_graph
@@ -191,321 +244,88 @@ public:
     int genus() const { return (2 - euler - int(separators.size())) / 2; }
   };
 
-  /// The pieces on the two sides of a separator, in no particular order; the same one twice where the separator does
-  /// not disconnect anything.
+  /// The pieces on the two sides of a separator; the same one twice where the separator does not disconnect anything.
   struct Sides
   {
-    Index first;
-    Index second;
-    Index other(Index piece) const { return first == piece ? second : first; }
+    Index right;
+    Index left; ///< where the normal of the separator points to
+    Index other(Index piece) const { return right == piece ? left : right; }
   };
 
-  /// Prepares to cut `surface` along any of `separators`: parts that none of them crosses are joined once and for all.
-  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators) : Cut_graph(surface)
+  /// Cuts `surface` along the separators in `arrangement`; their positions are those in the order of insertion.
+  /// Near-linear in the size of the surface, and O(m log m) in the number m of crossings.
+  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement)
   {
-    for (const Separator& separator : separators) {
-      for (const Edge_crossing& crossing : separator.crossings) {
-        m_crossed_edge[surface.edge(crossing.halfedge)] = 1;
+    const Edge_parts parts(surface, arrangement);
+    label_pieces(surface, arrangement, parts);
+    measure_pieces(surface, arrangement, parts);
+    for (Index point = 0; point < parts.left.size(); ++point) {
+      if (arrangement.points()[point].rank == 0) {
+        const auto separator = Index(m_sides.size());
+        m_sides.push_back({m_piece[parts.right[point]], m_piece[parts.left[point]]});
+        m_pieces[m_sides.back().right].separators.push_back(separator);
+        m_pieces[m_sides.back().left].separators.push_back(separator);
       }
     }
-    gather();
-  }
-
-  /// Prepares to cut `surface` along the separators in `arrangement` alone.
-  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement) : Cut_graph(surface)
-  {
-    for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
-      m_crossed_edge[point.edge] = 1;
-    }
-    gather();
-  }
-
-  /// Cuts along the separators in `arrangement`; their positions are those in the order of insertion.
-  /// Linear in the number of edges that any separator crosses, and O(m log m) in the number m of crossings.
-  void cut(const Separator_arrangement& arrangement)
-  {
-    m_sets = Disjoint_sets(m_clusters.size());
-    split_edges(arrangement);
-    join_remaining_edges();
-    split_faces(arrangement);
-    label_pieces();
-    measure_pieces(arrangement);
-    find_sides(arrangement);
   }
 
   const std::vector<Piece>& pieces() const { return m_pieces; }
   /// The pieces on the two sides of the packed separator at position `i`.
   const Sides& sides(Index i) const { return m_sides[i]; }
-  Index piece_of_vertex(Index vertex) const { return m_label[m_cluster[vertex]]; }
+  Index piece_of_vertex(Index vertex) const { return m_piece[vertex]; }
 
 private:
-  explicit Cut_graph(const Triangulated_surface& surface)
-      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0)
+  /// Numbers the pieces by their first vertex.
+  void label_pieces(const Triangulated_surface& surface, const Separator_arrangement& arrangement,
+                    const Edge_parts& parts)
   {
-  }
-
-  /// A part of a face between chords, while the boundary of the face is walked.
-  struct Open_chord
-  {
-    Index chord;
-    Index interval;       ///< the set of the boundary just before the chord begins
-    double taken_outside; ///< part of the face that chords before this one have cut off from the same region
-    double begin_place;   ///< where the chord begins, in the order around the face
-  };
-
-  /// Vertices that every cut leaves joined, with the edges and faces between them.
-  struct Cluster
-  {
-    int euler; ///< its vertices, edges and faces, counted as for the Euler number
-    double area;
-  };
-
-  /// Joins parts that cannot be cut to clusters, and sums them up. Reads faces in the order of memory, to avoid cache
-  /// misses.
-  void gather()
-  {
-    Disjoint_sets joined(m_surface.number_of_vertices());
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      if (m_surface.edge(h) != h) {
-        continue;
-      }
-      if (m_crossed_edge[h] != 0) {
-        m_crossable_edges.push_back(h);
-      } else {
-        joined.join(m_surface.origin(h), m_surface.target(h));
+    std::vector<char> is_cut(surface.number_of_halfedges(), 0);
+    for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
+      is_cut[point.edge] = 1;
+    }
+    Disjoint_sets sets(parts.size);
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (surface.edge(h) == h && is_cut[h] == 0) {
+        sets.join(surface.origin(h), surface.target(h));
       }
     }
-    Index number_of_clusters = 0;
-    m_cluster = joined.numbers(number_of_clusters);
-    m_clusters.assign(number_of_clusters, {0, 0});
-    for (const Index cluster : m_cluster) {
-      ++m_clusters[cluster].euler;
-    }
-    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
-      gather_face(face);
-    }
-  }
-
-  /// Counts the edges that have `face` as their first face, and `face` itself unless it can be cut.
-  void gather_face(Index face)
-  {
-    bool is_crossable = false;
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      const Index edge = m_surface.edge(h);
-      if (m_crossed_edge[edge] != 0) {
-        is_crossable = true;
-      } else if (edge == h) {
-        --m_clusters[m_cluster[m_surface.origin(h)]].euler;
-      }
-    }
-    if (is_crossable) {
-      m_crossable_faces.push_back(face);
-    } else {
-      Cluster& home = m_clusters[m_cluster[m_surface.origin(3 * face)]];
-      ++home.euler;
-      home.area += double(m_surface.face_area(face));
-    }
-  }
-
-  /// Gives every part of a crossed edge its set: the outer parts the sets of the ends, the inner ones new sets.
-  void split_edges(const Separator_arrangement& arrangement)
-  {
-    m_is_cut.assign(m_crossable_edges.size(), 0);
-    auto crossable = m_crossable_edges.begin();
-    const std::vector<Separator_arrangement::Edge_point>& points = arrangement.points();
-    m_sorted_points.resize(points.size());
-    std::iota(m_sorted_points.begin(), m_sorted_points.end(), Index(0));
-    std::sort(m_sorted_points.begin(), m_sorted_points.end(), [&](Index a, Index b) {
-      return points[a].edge != points[b].edge ? points[a].edge < points[b].edge
-                                              : Separator_arrangement::is_before_on_edge(points[a], points[b]);
-    });
-    m_intervals.clear();
-    m_interval_before.resize(points.size());
-    for (std::size_t i = 0; i < m_sorted_points.size(); ++i) {
-      const Index edge = points[m_sorted_points[i]].edge;
-      const bool is_first = i == 0 || points[m_sorted_points[i - 1]].edge != edge;
-      if (is_first) {
-        crossable = std::lower_bound(crossable, m_crossable_edges.end(), edge); // both are in ascending order
-        m_is_cut[std::size_t(crossable - m_crossable_edges.begin())] = 1;
-        m_intervals.push_back(m_cluster[m_surface.origin(edge)]);
-      }
-      m_interval_before[m_sorted_points[i]] = Index(m_intervals.size() - 1);
-      const bool is_last = i + 1 == m_sorted_points.size() || points[m_sorted_points[i + 1]].edge != edge;
-      if (is_last) {
-        m_intervals.push_back(m_cluster[m_surface.target(edge)]);
-      } else {
-        m_intervals.push_back(m_sets.add());
-      }
-    }
-  }
-
-  void join_remaining_edges()
-  {
-    for (std::size_t i = 0; i < m_crossable_edges.size(); ++i) {
-      if (m_is_cut[i] == 0) {
-        const Index edge = m_crossable_edges[i];
-        m_sets.join(m_cluster[m_surface.origin(edge)], m_cluster[m_surface.target(edge)]);
-      }
-    }
-  }
-
-  /// The set of the part of the edge before (`is_after` false) or after point `point`, going around `face`.
-  Index interval_beside(const Separator_arrangement& arrangement, Index point, Index face, bool is_after) const
-  {
-    const bool is_reversed = Triangulated_surface::face(arrangement.points()[point].edge) != face;
-    return m_intervals[m_interval_before[point] + (is_after != is_reversed ? 1 : 0)];
-  }
-
-  /// A part of a face between chords.
-  struct Part
-  {
-    Index interval; ///< the set of an adjacent part of an edge
-    double area;
-  };
-
-  /// Splits every face that is cut into its parts, and joins the sets that each part connects.
-  void split_faces(const Separator_arrangement& arrangement)
-  {
-    const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
-    std::vector<Separator_arrangement::Chord_end> ends;
-    m_parts.clear();
-    for (Index chord = 0; chord < chords.size(); ++chord) {
-      // Handle a face only at the head of its chord list.
-      if (arrangement.first_chord(chords[chord].face) == chord) {
-        arrangement.collect_ends(chords[chord].face, ends);
-        split_face(arrangement, chords[chord].face, ends);
-      }
-    }
-  }
-
-  /// Walks around `face`. The part that a chord cuts off connects the boundary just before the chord begins with that
-  /// just after it ends.
-  void split_face(const Separator_arrangement& arrangement, Index face,
-                  const std::vector<Separator_arrangement::Chord_end>& ends)
-  {
-    const double area = double(m_surface.face_area(face));
-    m_open.clear();
-    double taken = 0;
-    for (const Separator_arrangement::Chord_end& end : ends) {
-      const double place = boundary_place(arrangement, end.point, face);
-      const Index interval_before = interval_beside(arrangement, end.point, face, false);
-      if (m_open.empty() || m_open.back().chord != end.chord) {
-        m_open.push_back({end.chord, interval_before, taken, place});
-        taken = 0;
-        continue;
-      }
-      const double part = cut_off_part(m_open.back().begin_place, place);
-      m_parts.push_back({interval_before, (part - taken) * area});
-      m_sets.join(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
-      taken = m_open.back().taken_outside + part;
-      m_open.pop_back();
-    }
-    m_parts.push_back({interval_beside(arrangement, ends.front().point, face, false), (1 - taken) * area});
-  }
-
-  /// The place of an edge point in the order around `face`, in [0, 3): side plus position along it.
-  double boundary_place(const Separator_arrangement& arrangement, Index point, Index face) const
-  {
-    const Separator_arrangement::Edge_point& edge_point = arrangement.points()[point];
-    const bool is_reversed = Triangulated_surface::face(edge_point.edge) != face;
-    return arrangement.side(edge_point.edge, face) + (is_reversed ? 1 - edge_point.position : edge_point.position);
-  }
-
-  /// The part of a face's area that a chord between places `low` < `high` cuts off on the side of the boundary from
-  /// `low` to `high`: the polygon of the two points and the corners between them, in barycentric coordinates.
-  static double cut_off_part(double low, double high)
-  {
-    const auto barycentric = [](double place) {
-      const int side = std::min(int(place), 2);
-      const double along = place - side;
-      std::array<double, 3> result{};
-      result[std::size_t(side)] = 1 - along;
-      result[std::size_t((side + 1) % 3)] = along;
-      return result;
-    };
-    double doubled = 0;
-    std::array<double, 3> last = barycentric(low);
-    const auto go_to = [&](double place) {
-      const std::array<double, 3> next = barycentric(place);
-      doubled += last[1] * next[2] - last[2] * next[1];
-      last = next;
-    };
-    for (int corner = int(low) + 1; corner <= int(high); ++corner) {
-      go_to(corner);
-    }
-    go_to(high);
-    go_to(low);
-    return std::abs(doubled);
-  }
-
-  /// Numbers the pieces by their first vertex, and labels all sets.
-  void label_pieces()
-  {
+    parts.join_along_separators(arrangement, sets);
     Index number_of_pieces = 0;
-    m_label = m_sets.numbers(number_of_pieces);
+    m_piece = sets.numbers(number_of_pieces);
     m_pieces.assign(number_of_pieces, Piece());
   }
 
   /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in
-  /// the Euler number: vertices, parts of edges and parts of faces count.
-  void measure_pieces(const Separator_arrangement& arrangement)
+  /// the Euler number: vertices, parts of edges and parts of faces count. Each edge and each face counts where it
+  /// begins; then each point adds the part of the edge after it, and each chord the part of the face that it cuts off
+  /// from where the face begins.
+  void measure_pieces(const Triangulated_surface& surface, const Separator_arrangement& arrangement,
+                      const Edge_parts& parts)
   {
-    for (Index cluster = 0; cluster < m_clusters.size(); ++cluster) {
-      Piece& piece = m_pieces[m_label[cluster]];
-      piece.euler += m_clusters[cluster].euler;
-      piece.area += m_clusters[cluster].area;
+    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+      ++m_pieces[m_piece[vertex]].euler;
     }
-    for (std::size_t i = 0; i < m_crossable_edges.size(); ++i) {
-      if (m_is_cut[i] == 0) {
-        --m_pieces[piece_of_vertex(m_surface.origin(m_crossable_edges[i]))].euler;
-      }
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      m_pieces[m_piece[surface.origin(h)]].euler -= surface.edge(h) == h ? 1 : 0;
     }
-    for (Index interval : m_intervals) {
-      --m_pieces[m_label[interval]].euler;
-    }
-    for (Index face : m_crossable_faces) {
-      if (arrangement.first_chord(face) == no_index) {
-        Piece& piece = m_pieces[piece_of_vertex(m_surface.origin(3 * face))];
-        ++piece.euler;
-        piece.area += double(m_surface.face_area(face));
-      }
-    }
-    for (const Part& part : m_parts) {
-      Piece& piece = m_pieces[m_label[part.interval]];
+    for (Index face = 0; face < surface.number_of_faces(); ++face) {
+      Piece& piece = m_pieces[m_piece[surface.origin(3 * face)]];
       ++piece.euler;
-      piece.area += part.area;
+      piece.area += double(surface.face_area(face));
+    }
+    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
+      Piece& left = m_pieces[m_piece[parts.left[chord.end]]];
+      Piece& right = m_pieces[m_piece[parts.right[chord.end]]];
+      --(arrangement.leaves_reversed(chord.end) ? right : left).euler;
+      const bool cuts_off_right = arrangement.is_before(chord.begin, chord.end, chord.face);
+      ++(cuts_off_right ? right : left).euler;
+      const double area = double(surface.face_area(chord.face)) * arrangement.part_cut_off(chord);
+      right.area += cuts_off_right ? area : -area;
+      left.area -= cuts_off_right ? area : -area;
     }
   }
 
-  void find_sides(const Separator_arrangement& arrangement)
-  {
-    m_sides.clear();
-    for (Index point = 0; point < arrangement.points().size(); ++point) {
-      if (arrangement.points()[point].rank == 0) {
-        m_sides.push_back(
-            {m_label[m_intervals[m_interval_before[point]]], m_label[m_intervals[m_interval_before[point] + 1]]});
-      }
-    }
-    for (Index i = 0; i < m_sides.size(); ++i) {
-      m_pieces[m_sides[i].first].separators.push_back(i);
-      m_pieces[m_sides[i].second].separators.push_back(i);
-    }
-  }
-
-  const Triangulated_surface& m_surface;
-  std::vector<std::uint8_t> m_crossed_edge; ///< whether an edge may be cut
-  std::vector<Index> m_crossable_edges;     ///< in ascending order, as the next
-  std::vector<Index> m_crossable_faces;
-  std::vector<Cluster> m_clusters;
-  std::vector<std::uint8_t> m_is_cut; ///< of every crossable edge, whether a separator of the arrangement cuts it
-  std::vector<Index> m_cluster;       ///< of every vertex
-  Disjoint_sets m_sets;               ///< of clusters and of inner parts of edges
-  std::vector<Index> m_label;         ///< the piece of each of them
-  std::vector<Index> m_sorted_points;
-  std::vector<Index> m_intervals;
-  std::vector<Index> m_interval_before;
-  std::vector<Part> m_parts;
-  std::vector<Open_chord> m_open; ///< working memory
+  std::vector<Index> m_piece; ///< of every vertex, and of every inner part of an edge
   std::vector<Piece> m_pieces;
   std::vector<Sides> m_sides;
 };

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -233,21 +232,6 @@ public:
     }
   }
 
-  /// Unpacks separators that do not satisfy `is_allowed(separator)`, and packs none in their place.
-  template <class Predicate>
-  void reduce(const Predicate& is_allowed)
-  {
-    std::vector<Index> packed;
-    packed.swap(m_packed);
-    m_cells.clear();
-    m_arrangement.clear();
-    for (Index separator : packed) {
-      if (is_allowed(separator)) {
-        insert(separator);
-      }
-    }
-  }
-
   /// Packs `separator` too if it crosses neither a packed one nor itself. \return whether it was packed
   bool insert(Index separator)
   {
@@ -335,22 +319,22 @@ public:
                     const std::vector<double>& costs, double min_branch_area_ratio = Detail().min_branch_area_ratio())
       : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, costs)
   {
-    m_cut_graph.emplace(surface, separators);
-    std::vector<std::uint8_t> is_banned(separators.size(), 0);
-    const auto is_allowed = [&](Index separator) { return is_banned[separator] == 0; };
-    for (int round = 0;; ++round) {
-      if (round < max_packings) {
-        m_disjoint.pack(is_allowed);
-      } else {
-        m_disjoint.reduce(is_allowed);
-      }
-      m_cut_graph->cut(m_disjoint.arrangement());
-      const Spurious_branches bumps(*m_cut_graph, separators, packed(), min_branch_area_ratio);
+    std::vector<char> is_allowed(separators.size(), 1);
+    for (int round = 1;; ++round) {
+      m_disjoint.pack([&](Index separator) { return is_allowed[separator] != 0; });
+      cut_again();
+      const Spurious_branches bumps(cut_graph(), separators, packed(), min_branch_area_ratio);
       if (bumps.separators().empty()) {
         break;
       }
+      if (round >= max_packings) {
+        is_allowed.assign(separators.size(), 0);
+        for (Index separator : packed()) {
+          is_allowed[separator] = 1;
+        }
+      }
       for (Index separator : bumps.separators()) {
-        is_banned[separator] = 1;
+        is_allowed[separator] = 0;
       }
     }
   }
@@ -366,11 +350,7 @@ public:
   bool insert_last() { return m_disjoint.insert(Index(m_separators.size() - 1)); }
 
   /// Cuts the surface along all packed separators, including the ones inserted last.
-  void cut_again()
-  {
-    m_cut_graph.emplace(m_surface, m_separators);
-    m_cut_graph->cut(m_disjoint.arrangement());
-  }
+  void cut_again() { m_cut_graph.emplace(m_surface, m_disjoint.arrangement()); }
 
 private:
   /// Separators that replace pruned ones may have to be pruned again. After this many packings, nothing takes their

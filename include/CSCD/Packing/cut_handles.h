@@ -11,50 +11,60 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Finds loops in a piece of the cut surface that do not separate it: a basis of its homology, with a disc put over
-/// each of its borders. A separator that the piece has on both sides makes two borders. From a tree of shortest paths
-/// in the piece and a cotree of the faces that leaves the edges of the shortest loops to the last (Erickson and
-/// Whittlesey, "Greedy optimal homotopy and homology generators", 2005), each edge that is in neither closes one loop.
-/// O(n log n) for n vertices of the surface.
+/// Finds loops in the pieces of a cut surface that do not separate them: bases of their homology, with a disc put over
+/// each border. From a tree of shortest paths in a piece and a cotree of its faces that leaves the edges of the
+/// shortest loops to the last (Erickson and Whittlesey, "Greedy optimal homotopy and homology generators", 2005), each
+/// edge that is in neither closes one loop. The cut faces on one side of a separator, with the disc, are one face.
+/// Where two of these touch, they become one, and some loops may separate. O(n log n) for n vertices of the surface.
 class Handle_loops
 {
 public:
-  /// Prepares to find loops on the surface `finest` cut along the separators in `arrangement`.
-  Handle_loops(const Surface_level& finest, const Separator_arrangement& arrangement)
-      : m_surface(finest.surface), m_corners(finest.corners()), m_arrangement(arrangement),
-        m_is_crossed(m_surface.number_of_halfedges(), 0), m_region(m_surface.number_of_halfedges()),
-        m_capped(m_surface.number_of_faces() + 2 * arrangement.points().size()),
-        m_front(m_surface.number_of_vertices()), m_parent(m_surface.number_of_vertices())
+  /// Prepares to find loops on `surface` cut along the separators in `arrangement`. `surface` is referred to.
+  Handle_loops(const Triangulated_surface& surface, const Separator_arrangement& arrangement)
+      : m_surface(surface), m_border(surface.number_of_halfedges(), no_index),
+        m_regions(surface.number_of_faces() + 2 * arrangement.points().size()), m_front(surface.number_of_vertices()),
+        m_parent(surface.number_of_vertices())
   {
-    for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
-      m_is_crossed[point.edge] = 1;
+    const auto border = [&](Index point, bool is_left) {
+      return surface.number_of_faces() + 2 * point + Index(is_left);
+    };
+    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
+      m_regions.join(border(chord.begin, false), border(chord.end, false));
+      m_regions.join(border(chord.begin, true), border(chord.end, true));
     }
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      m_region[h] = Triangulated_surface::face(h);
+    // Two chords that bound one part of a face have ends next to each other on an edge.
+    Index last = no_index; // the edge of the last point
+    for (const Index point : arrangement.points_along_edges()) {
+      const Index edge = arrangement.points()[point].edge;
+      const bool is_reversed = arrangement.leaves_reversed(point);
+      if (edge != last) {
+        m_border[edge] = border(point, is_reversed);
+      } else {
+        m_regions.join(m_border[surface.twin(edge)], border(point, is_reversed));
+      }
+      m_border[surface.twin(edge)] = border(point, !is_reversed);
+      last = edge;
     }
-    cap_borders();
   }
 
   /// The loops of the piece with the vertex `root`, twice its genus of them, each simple, through `root` or with its
-  /// stem from there left out; the shortest first. They are fewer where all edges between two parts of the piece are
-  /// crossed.
+  /// stem from there left out; the shortest first. They are fewer where all edges between two parts of the piece
+  /// are crossed.
   std::vector<Vertex_loop> operator()(Index root)
   {
     m_front.clear();
@@ -75,107 +85,57 @@ public:
   }
 
 private:
-  struct Cotree_edge
-  {
-    Index halfedge;
-    float loop_length;
-  };
-
-  bool is_crossed(Index halfedge) const { return m_is_crossed[m_surface.edge(halfedge)] != 0; }
-
-  /// One side of a separator at a point, which is all of its border there.
-  Index border(Index point, bool is_left) const { return m_surface.number_of_faces() + 2 * point + (is_left ? 1 : 0); }
-
-  /// Makes one region of each border of a piece, with its disc, and of borders that meet within a face.
-  void cap_borders()
-  {
-    const std::vector<Separator_arrangement::Chord>& chords = m_arrangement.chords();
-    for (Index i = 0; i < chords.size(); ++i) {
-      for (bool is_left : {false, true}) {
-        m_capped.join(border(chords[i].begin, is_left), border(chords[i].end, is_left));
-      }
-      // Each face once: at the chord that its list begins with.
-      if (m_arrangement.first_chord(chords[i].face) == i) {
-        join_parts_of_face(chords[i].face);
-      }
-    }
-  }
-
-  /// Walks around `face`: from one end of a chord to the next, the boundary belongs to one part of the face.
-  void join_parts_of_face(Index face)
-  {
-    m_arrangement.collect_ends(face, m_ends);
-    Index region = region_after(m_ends.back());
-    auto end = m_ends.begin();
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      // Of an edge that is crossed, this region is only the first part; but no loop runs along it.
-      m_region[h] = region;
-      for (; end != m_ends.end() && m_arrangement.side(m_arrangement.points()[end->point].edge, face) == h % 3; ++end) {
-        m_capped.join(region, border(end->point, !end->is_last));
-        region = region_after(*end);
-      }
-    }
-  }
-
-  /// A chord leaves the face with its left side after it in the order around the face, and enters with its right side.
-  Index region_after(const Separator_arrangement::Chord_end& end) const { return border(end.point, end.is_last); }
+  bool is_crossed(Index halfedge) const { return m_border[halfedge] != no_index; }
 
   void grow_tree(Index root)
   {
     m_front.reach(root, 0);
     m_parent[root] = no_index;
     m_front.spread([&](Index vertex, float distance) {
-      const Corner* corner = m_corners.fan(vertex).begin();
       for (Index halfedge : m_surface.outgoing(vertex)) {
-        const float next_distance = distance + corner->length;
-        if (!is_crossed(halfedge) && m_front.reach(corner->neighbor, next_distance)) {
-          m_parent[corner->neighbor] = vertex;
+        const Index neighbor = m_surface.target(halfedge);
+        if (!is_crossed(halfedge) && m_front.reach(neighbor, distance + float(m_surface.length(halfedge)))) {
+          m_parent[neighbor] = vertex;
         }
-        ++corner;
       }
     });
   }
 
-  std::vector<Vertex_loop> close_loops()
+  std::vector<Vertex_loop> close_loops() const
   {
-    Disjoint_sets regions = m_capped;
-    collect_cotree_edges(regions);
+    Disjoint_sets regions = m_regions;
     std::vector<Vertex_loop> loops;
     // The longest loops first: their edges go to the cotree, and the edges of the shortest remain.
-    for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
-      if (!join_across(edge->halfedge, regions)) {
-        loops.push_back(close_loop(edge->halfedge));
+    for (const auto& [loop_length, halfedge] : cotree_edges()) {
+      if (!regions.join(region(halfedge), region(m_surface.twin(halfedge)))) {
+        loops.push_back(close_loop(halfedge));
       }
     }
     std::reverse(loops.begin(), loops.end());
     return loops;
   }
 
-  /// Unites the regions on the two sides of an edge that is not crossed. \return whether they were two
-  bool join_across(Index halfedge, Disjoint_sets& regions) const
+  /// The region on the left of `halfedge`: its face or, if that is cut, the border that the next edge leads to.
+  Index region(Index halfedge) const
   {
-    return regions.join(m_region[halfedge], m_region[m_surface.twin(halfedge)]);
+    const Index next = Triangulated_surface::next(halfedge);
+    return is_crossed(next) ? m_border[next] : Triangulated_surface::face(halfedge);
   }
 
-  /// Collects the edges that the tree reaches and does not take, by increasing length of the loops that they close;
-  /// edges that it does not reach do not obstruct the cotree.
-  void collect_cotree_edges(Disjoint_sets& regions)
+  /// The edges that the tree reaches and does not take, by decreasing length of the loops that they close.
+  std::vector<std::pair<float, Index>> cotree_edges() const
   {
-    m_edges.clear();
+    std::vector<std::pair<float, Index>> edges;
     for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
       const Index a = m_surface.origin(h);
       const Index b = m_surface.target(h);
-      if (m_surface.edge(h) != h || is_crossed(h)) {
-        continue;
-      }
-      if (!m_front.is_reached(a) || !m_front.is_reached(b)) {
-        join_across(h, regions);
-      } else if (m_parent[a] != b && m_parent[b] != a) {
-        m_edges.push_back({h, m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h))});
+      if (m_surface.edge(h) == h && !is_crossed(h) && m_front.is_reached(a) && m_front.is_reached(b) &&
+          m_parent[a] != b && m_parent[b] != a) {
+        edges.emplace_back(m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h)), h);
       }
     }
-    std::stable_sort(m_edges.begin(), m_edges.end(),
-                     [](const Cotree_edge& a, const Cotree_edge& b) { return a.loop_length < b.loop_length; });
+    std::sort(edges.rbegin(), edges.rend());
+    return edges;
   }
 
   /// The two tree paths to the ends of `halfedge` without their common part.
@@ -205,15 +165,10 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  const Vertex_fan_table& m_corners;
-  const Separator_arrangement& m_arrangement;
-  std::vector<std::uint8_t> m_is_crossed;
-  std::vector<Index> m_region; ///< of every halfedge that is not crossed: its face or, if that is cut, a border
-  Disjoint_sets m_capped;      ///< of faces and of both sides of the separators at every point
+  std::vector<Index> m_border; ///< of every crossed halfedge, the border that its origin is nearest to
+  Disjoint_sets m_regions;     ///< of faces, and of both sides of separators at each point
   Dijkstra_search m_front;
   std::vector<Index> m_parent;
-  std::vector<Separator_arrangement::Chord_end> m_ends;
-  std::vector<Cotree_edge> m_edges;
 };
 
 /// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
@@ -224,7 +179,7 @@ class Handle_cutting
 public:
   /// `separators` are those of `packing`; the new ones are appended to them.
   Handle_cutting(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing)
-      : m_solid(solid), m_surface(solid.levels().finest().surface), m_separators(separators), m_packing(packing)
+      : m_solid(solid), m_surface(solid.triangulation()), m_separators(separators), m_packing(packing)
   {
   }
 
@@ -246,18 +201,8 @@ public:
   }
 
 private:
-  /// A loop spans the body if at least this share of the samples of its disc is inside: the middles between points of
-  /// the loop and its center ...
+  /// A loop spans the body if at least this share of the cone from its center is inside.
   static constexpr double min_inside_part = 0.5;
-  /// ... of at most this many samples.
-  static constexpr std::size_t max_number_of_samples = 32;
-
-  struct Candidate
-  {
-    Vertex_loop loop;
-    double length = 0;
-    bool is_inside = false;
-  };
 
   bool has_handles() const
   {
@@ -269,74 +214,28 @@ private:
   /// genus by one. \return their number
   std::size_t cut(bool is_any_allowed)
   {
-    std::vector<Candidate> candidates;
-    for (const Vertex_loop& loop : Handle_loops(m_solid.levels().finest(), m_packing.arrangement()).of_all_pieces()) {
-      candidates.push_back(measure(loop));
+    std::vector<std::pair<double, Vertex_loop>> candidates; // by length
+    std::vector<Vector_3> points;
+    for (Vertex_loop& loop : Handle_loops(m_surface, m_packing.arrangement()).of_all_pieces()) {
+      points.clear();
+      std::transform(loop.begin(), loop.end(), std::back_inserter(points),
+                     [this](Index vertex) { return m_surface.point(vertex); });
+      const Polygon_measures measures = measure_polygon(points);
+      if (is_any_allowed || span_inside_share(m_solid, points, measures.center) >= min_inside_part) {
+        candidates.emplace_back(measures.length, std::move(loop));
+      }
     }
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.is_inside != b.is_inside ? a.is_inside : a.length < b.length;
-    });
-    std::vector<Separator> trial;
-    Separator_arrangement arrangement = m_packing.arrangement();
+    std::sort(candidates.begin(), candidates.end());
     m_room.assign(m_surface.number_of_halfedges(), 1.);
     for (const Index packed : m_packing.packed()) {
       take_room(m_separators[packed].crossings);
     }
-    for (const Candidate& candidate : candidates) {
-      if (candidate.is_inside || is_any_allowed) {
-        insert(candidate.loop, trial, arrangement);
-      }
+    Separator_arrangement arrangement = m_packing.arrangement();
+    std::vector<Separator> trial;
+    for (const auto& [length, loop] : candidates) {
+      insert(loop, trial, arrangement);
     }
-    return pack(needed(trial, arrangement));
-  }
-
-  /// The disjoint separators of `trial`, the last in `arrangement`, that lower the genus: from the worst to the best,
-  /// one with different pieces on its sides is left out, and the pieces become one.
-  std::vector<Separator> needed(const std::vector<Separator>& trial, const Separator_arrangement& arrangement) const
-  {
-    Cut_graph cut_graph(m_surface, arrangement);
-    cut_graph.cut(arrangement);
-    Disjoint_sets pieces(cut_graph.pieces().size());
-    std::vector<Separator> result;
-    for (std::size_t i = trial.size(); i-- > 0;) {
-      const Cut_graph::Sides& sides = cut_graph.sides(Index(m_packing.packed().size() + i));
-      if (!pieces.join(sides.first, sides.second)) {
-        result.push_back(trial[i]);
-      }
-    }
-    return {result.rbegin(), result.rend()};
-  }
-
-  /// Packs `separators`, which are disjoint from the packed ones and from each other. \return their number
-  std::size_t pack(const std::vector<Separator>& separators)
-  {
-    for (const Separator& separator : separators) {
-      m_separators.push_back(separator);
-      [[maybe_unused]] const bool is_packed = m_packing.insert_last();
-      CGAL_assertion(is_packed);
-    }
-    if (!separators.empty()) {
-      m_packing.cut_again();
-    }
-    return separators.size();
-  }
-
-  Candidate measure(const Vertex_loop& loop) const
-  {
-    std::vector<Vector_3> points;
-    points.reserve(loop.size());
-    for (Index vertex : loop) {
-      points.push_back(m_surface.point(vertex));
-    }
-    const Polygon_measures measures = measure_polygon(points);
-    const std::size_t step = points.size() / max_number_of_samples + 1;
-    std::size_t number = 0;
-    std::size_t number_inside = 0;
-    for (std::size_t i = 0; i < points.size(); i += step) {
-      ++number;
-      number_inside += m_solid.is_inside((points[i] + measures.center) / 2) ? 1 : 0;
-    }
-    return {loop, measures.length, double(number_inside) >= min_inside_part * double(number)};
+    return pack(trial, Cut_graph(m_surface, arrangement));
   }
 
   /// Appends `loop`, pushed off the vertices, to `trial` if it is disjoint from the separators in `arrangement`: it
@@ -356,8 +255,28 @@ private:
       crossing_points(m_surface, separator.crossings, points);
       set_measures(separator, points);
       separator.source = loop.front();
-      trial.push_back(separator);
+      trial.push_back(std::move(separator));
     }
+  }
+
+  /// Packs the separators of `trial`, the last in `cut_graph`, that lower the genus: from the worst to the best, one
+  /// with different pieces on its sides is left out, and the pieces become one. \return their number
+  std::size_t pack(const std::vector<Separator>& trial, const Cut_graph& cut_graph)
+  {
+    Disjoint_sets pieces(cut_graph.pieces().size());
+    std::vector<Index> needed;
+    for (Index i = Index(trial.size()); i-- > 0;) {
+      const Cut_graph::Sides& sides = cut_graph.sides(Index(m_packing.packed().size()) + i);
+      if (!pieces.join(sides.right, sides.left)) {
+        needed.push_back(i);
+      }
+    }
+    for (auto i = needed.rbegin(); i != needed.rend(); ++i) {
+      m_separators.push_back(trial[*i]);
+      m_packing.insert_last();
+    }
+    m_packing.cut_again();
+    return needed.size();
   }
 
   void take_room(const std::vector<Edge_crossing>& crossings)

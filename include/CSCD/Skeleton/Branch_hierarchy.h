@@ -17,7 +17,6 @@
 #include <limits>
 #include <set>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -29,13 +28,6 @@ enum class Branch_measure
   significance,      ///< how far the limb reaches beyond the body it stands on, in its mean radii
   length,            ///< along the branch
   length_over_radius ///< the length in mean radii of the branch
-};
-
-/// When each edge falls as limbs are cut, the least first.
-struct Branch_levels
-{
-  std::vector<double> levels; ///< for each edge the greatest threshold that keeps it when lower levels are cut
-  std::vector<char> is_last;  ///< whether an edge belongs to the path that is left last of a component without cycles
 };
 
 /// A path from a tip; lengths and integrals of the radius are measured from there.
@@ -146,7 +138,10 @@ public:
   /// The level of edges that are never cut.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  Branch_levels release() { return {std::move(m_level), std::move(m_is_last)}; }
+  /// For each edge, the greatest threshold that keeps it when lower levels are cut.
+  const std::vector<double>& levels() const { return m_level; }
+  /// Whether `edge` belongs to the path that is left last of a component without cycles.
+  bool is_last(Index edge) const { return m_is_last[edge] != 0; }
 
 private:
   using Key = std::tuple<double, double, double, double, double, Index>;
@@ -256,17 +251,11 @@ private:
   std::vector<char> m_is_last;
 };
 
-/// Simulates the cutting of the limbs of `skeleton`, the least first.
-inline Branch_levels branch_levels(const Skeleton& skeleton, Branch_measure measure)
-{
-  return Branch_hierarchy(skeleton, measure).release();
-}
-
 /// The significance of every edge of `skeleton`; infinite for all where nodes have no radii. See
 /// `compute_significance()`.
 inline std::vector<double> significance_levels(const Skeleton& skeleton)
 {
-  return branch_levels(skeleton, Branch_measure::significance).levels;
+  return Branch_hierarchy(skeleton, Branch_measure::significance).levels();
 }
 
 } // namespace internal

@@ -165,7 +165,6 @@ public:
       return m_graph.is_regular(node) && !m_graph[node].is_opening && (!is_on_sheets || m_graph[node].is_on_sheet);
     };
     std::vector<std::optional<Target>> targets(m_graph.size());
-    find_balls();
     for (int sweep = 0; sweep < number_of_sweeps + number_of_smoothings; ++sweep) {
       const bool is_smoothing = sweep >= number_of_sweeps;
       for (Index node = 0; node < m_graph.size(); ++node) {
@@ -195,13 +194,8 @@ private:
   static constexpr double plain_share = 0.2;
   /// The change of R, relative to its difference from the radius of the section.
   static constexpr double radius_share = 0.5;
-  /// The direction of a branch is taken over this distance to both sides, relative to R: neighbors are often nearer
-  /// than the errors of their positions are small.
-  static constexpr double window = 0.7;
   /// The distance of a target from its node, relative to R.
   static constexpr double max_shift = 0.5;
-  /// The part of the squared depth of a node that a ball around it has: rounding must not reach the surface.
-  static constexpr double max_ball_part = 0.99;
   /// How often a step is halved.
   static constexpr int max_halvings = 3;
 
@@ -216,8 +210,8 @@ private:
   std::optional<Target> target(Index index)
   {
     const Node& node = m_graph[index];
-    const Index from = end_of_window(index, node.neighbors[0]);
-    const Index to = end_of_window(index, node.neighbors[1]);
+    const Index from = node.neighbors[0];
+    const Index to = node.neighbors[1];
     const Vector_3 way = m_graph[to].position - m_graph[from].position;
     if (!(way.norm() > 0) || turn_cosine(index) < 0 || is_in_junction(index, from) || is_in_junction(index, to)) {
       return std::nullopt;
@@ -239,22 +233,10 @@ private:
     return middle ? std::optional<Target>({*middle, m_sheet_section.half_width()}) : std::nullopt;
   }
 
-  /// The first node beyond the window on the way from `node` over its neighbor `next`, or the end of the branch.
-  Index end_of_window(Index node, Index next) const
+  /// Whether `node` is in the ball of the junction `neighbor`, where sections lead into other branches.
+  bool is_in_junction(Index node, Index neighbor) const
   {
-    const Vector_3& center = m_graph[node].position;
-    const double distance = window * m_graph[node].radius;
-    Index before = node;
-    while (m_graph.is_regular(next) && next != node && (m_graph[next].position - center).norm() < distance) {
-      before = std::exchange(next, m_graph.other_neighbor(next, before));
-    }
-    return next;
-  }
-
-  /// Whether `node` is in the ball of the junction `end`, where sections lead into other branches.
-  bool is_in_junction(Index node, Index end) const
-  {
-    return m_graph.is_junction(end) && m_graph.edge_length(node, end) < m_graph[end].radius;
+    return m_graph.is_junction(neighbor) && m_graph.edge_length(node, neighbor) < m_graph[neighbor].radius;
   }
 
   /// The cosine of the turn at a regular node, 1 at any other.
@@ -324,11 +306,11 @@ private:
     const Vector_3 start = std::exchange(m_graph[index].position, position);
     const double turn = sharpest_turn(index);
     const auto stays_free = [&](Index neighbor) {
-      if (m_graph[index].is_on_sheet || is_free(index, neighbor)) {
+      if (m_graph[index].is_on_sheet || m_routing.is_free(index, neighbor)) {
         return true;
       }
       m_graph[index].position = start;
-      const bool was_free = is_free(index, neighbor);
+      const bool was_free = m_routing.is_free(index, neighbor);
       m_graph[index].position = position;
       return !was_free;
     };
@@ -337,33 +319,6 @@ private:
         (turn >= 0 || turn >= turn_before) && std::all_of(neighbors.begin(), neighbors.end(), stays_free);
     m_graph[index].position = start;
     return result;
-  }
-
-  /// A ball that the surface does not enter: edges in it cross no surface.
-  struct Clear_ball
-  {
-    Vector_3 center;
-    double squared_radius;
-  };
-
-  /// Finds the largest ball around each node: nearly all edges are in that of one of their ends.
-  void find_balls()
-  {
-    m_balls.clear();
-    for (Index node = 0; node < m_graph.size(); ++node) {
-      const Vector_3& center = m_graph[node].position;
-      const double squared_depth = (m_solid.closest_point(center).point - center).squaredNorm();
-      m_balls.push_back({center, max_ball_part * squared_depth});
-    }
-  }
-
-  bool is_free(Index a, Index b)
-  {
-    const auto holds_edge = [&](const Clear_ball& ball) {
-      return (m_graph[a].position - ball.center).squaredNorm() < ball.squared_radius &&
-             (m_graph[b].position - ball.center).squaredNorm() < ball.squared_radius;
-    };
-    return holds_edge(m_balls[a]) || holds_edge(m_balls[b]) || m_routing.is_free(a, b);
   }
 
   /// The least cosine of the turns at `node` and its neighbors.
@@ -381,7 +336,6 @@ private:
   Inside_routing<Triangulated_solid> m_routing;
   Body_section m_body_section;
   Sheet_section m_sheet_section;
-  std::vector<Clear_ball> m_balls; ///< around each node, where it was at first
 };
 
 } // namespace CSCD::internal

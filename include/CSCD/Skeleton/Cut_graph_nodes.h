@@ -9,7 +9,6 @@
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Surface_levels.h>
@@ -108,12 +107,10 @@ private:
 class Cut_graph_nodes
 {
 public:
-  /// \param routing that of `graph`; all are referred to
+  /// All are referred to.
   /// \pre `graph` is empty
-  Cut_graph_nodes(const Cut_solid& cut, const Piece_vertices& pieces, Inside_routing<Triangulated_solid>& routing,
-                  Skeleton_builder& graph)
-      : m_cut(cut), m_pieces(pieces), m_routing(routing), m_graph(graph),
-        m_node_of_piece(cut.number_of_pieces(), no_index)
+  Cut_graph_nodes(const Cut_solid& cut, const Piece_vertices& pieces, Skeleton_builder& graph)
+      : m_cut(cut), m_pieces(pieces), m_graph(graph), m_node_of_piece(cut.number_of_pieces(), no_index)
   {
     place_separators();
     for (Index piece = 0; piece < cut.number_of_pieces(); ++piece) {
@@ -133,10 +130,8 @@ private:
   static constexpr double separator_weight = 0.1;
   /// Longer edges are led over the centroid of their piece, relative to the radius, ...
   static constexpr double min_bent_edge = 1;
-  /// ... for this part of the way there, ...
-  static constexpr double bend_share = 0.7;
-  /// ... if the piece has this many vertices.
-  static constexpr double min_bent_vertices = 24;
+  /// ... for this part of the way there.
+  static constexpr double bend_share = 0.85;
 
   /// Node i is that of the separator at position i.
   void place_separators()
@@ -167,9 +162,7 @@ private:
       m_graph[m_node_of_piece[piece]].number_of_vertices = share;
     } else if (around.size() == 2) {
       m_graph.add_edge(around[0], around[1]);
-      if (around[0] != around[1] && number_of_vertices >= min_bent_vertices) {
-        bend_edge(piece, around[0], around[1]);
-      }
+      bend_edge(piece, around[0], around[1]);
     }
   }
 
@@ -209,29 +202,18 @@ private:
   void bend_edge(Index piece, Index a, Index b)
   {
     const double radius = (m_graph[a].radius + m_graph[b].radius) / 2;
-    const Vector_3 from = m_graph[a].position;
-    const Vector_3 to = m_graph[b].position;
-    const std::optional<Vector_3> centroid = m_pieces.centroid(piece);
-    if (!centroid || m_graph[a].is_on_sheet || (to - from).norm() < min_bent_edge * radius) {
-      return;
-    }
-    const Vector_3 middle = (from + to) / 2;
-    const Vector_3 along = (to - from).normalized();
-    Vector_3 aside = *centroid - middle;
-    aside -= aside.dot(along) * along;
-    const Vector_3 point = middle + bend_share * aside;
-    if (aside.norm() < radius && m_cut.solid.is_inside(point) && m_routing.is_free(from, point) &&
-        m_routing.is_free(point, to)) {
-      const double share = m_pieces.number_of_vertices(piece) / 4;
-      *m_graph[a].number_of_vertices -= share;
-      *m_graph[b].number_of_vertices -= share;
-      m_graph[m_graph.split_edge(a, b, point, radius)].number_of_vertices = 2 * share;
+    const Vector_3 middle = (m_graph[a].position + m_graph[b].position) / 2;
+    const Vector_3 way = m_graph[b].position - m_graph[a].position;
+    const Vector_3 aside = m_pieces.centroid(piece).value_or(middle) - middle;
+    const Vector_3 point = middle + bend_share * (aside - aside.dot(way) / way.squaredNorm() * way);
+    if (!m_graph[a].is_on_sheet && way.norm() >= min_bent_edge * radius &&
+        (point - middle).norm() < bend_share * radius && m_cut.solid.is_inside(point)) {
+      m_graph.split_edge(a, b, point, radius);
     }
   }
 
   const Cut_solid& m_cut;
   const Piece_vertices& m_pieces;
-  Inside_routing<Triangulated_solid>& m_routing;
   Skeleton_builder& m_graph;
   std::vector<Index> m_node_of_piece; ///< `no_index` where only separators have nodes
 };

@@ -44,10 +44,31 @@ public:
     if (m_work_left == 0 || !trace_surface(from, to)) {
       return {};
     }
-    std::vector<Vector_3> way;
     m_max_depth = (to - from).norm();
-    const bool is_found = follow_surface(from, to, way);
-    return is_found ? way : std::vector<Vector_3>();
+    std::vector<Vector_3> way;
+    Vector_3 here = from;
+    std::size_t first = 0; // the start that the way has come to, ...
+    int level = -1;        // ... halvings of the depth there
+    while (!sees(here, to)) {
+      // The deepest point that can be seen from here, far ones first; of the last start, a point nearer to the surface.
+      std::optional<Vector_3> next;
+      for (int halvings = 0; !next && halvings <= max_halvings; ++halvings) {
+        for (std::size_t step = m_starts.size() - first; !next && step > 0; step /= 2) {
+          const std::optional<Vector_3> point = below(m_starts[first + step - 1], halvings);
+          if (point && (step > 1 || halvings > level) && sees(here, *point)) {
+            next = point;
+            first += step - 1;
+            level = halvings;
+          }
+        }
+      }
+      if (!next || way.size() > max_number_of_nodes || m_work_left == 0) {
+        return {};
+      }
+      way.push_back(*next);
+      here = *next;
+    }
+    return way;
   }
 
 private:
@@ -123,59 +144,6 @@ private:
     return is_found;
   }
 
-  bool follow_surface(const Vector_3& from, const Vector_3& to, std::vector<Vector_3>& way)
-  {
-    std::size_t next = 0; // behind the last start that was passed
-    Vector_3 here = from;
-    while (!sees(here, to)) {
-      if (way.size() > max_number_of_nodes || m_work_left == 0 || next == m_starts.size()) {
-        return false;
-      }
-      const std::optional<std::size_t> seen = farthest_seen(here, next);
-      if (seen) {
-        way.push_back(*below(m_starts[*seen], 0));
-        next = *seen + 1;
-      } else if (!step_below_surface(here, next, way)) {
-        return false;
-      } else {
-        ++next;
-      }
-      here = way.back();
-    }
-    return true;
-  }
-
-  /// Of some starts from `next` on, far ones first, the one whose middle of the body can be seen.
-  std::optional<std::size_t> farthest_seen(const Vector_3& here, std::size_t next)
-  {
-    for (std::size_t step = m_starts.size() - next; step > 0; step /= 2) {
-      const std::optional<Vector_3> middle = below(m_starts[next + step - 1], 0);
-      if (middle && m_solid.is_inside(*middle) && sees(here, *middle)) {
-        return next + step - 1;
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// Goes to the start `next` so near to the surface that the way is free, from near the one before.
-  bool step_below_surface(const Vector_3& here, std::size_t next, std::vector<Vector_3>& way)
-  {
-    for (int halvings = 1; halvings <= max_halvings; ++halvings) {
-      const std::optional<Vector_3> to = below(m_starts[next], halvings);
-      const std::optional<Vector_3> from = next > 0 ? below(m_starts[next - 1], halvings) : std::nullopt;
-      if (to && sees(here, *to)) {
-        way.push_back(*to);
-        return true;
-      }
-      if (to && from && sees(here, *from) && sees(*from, *to)) {
-        way.push_back(*from);
-        way.push_back(*to);
-        return true;
-      }
-    }
-    return false;
-  }
-
   /// The middle of the body below `start`, or a point as far away as the ends of the way are from each other, where the
   /// body is thicker; or as many times nearer.
   std::optional<Vector_3> below(const Start& start, int halvings)
@@ -194,10 +162,14 @@ private:
     return Vector_3(start.point + std::ldexp(depth, -halvings) * start.inward);
   }
 
+  /// Whether the segment is free in both directions: along faces that touch, the answers may differ.
   bool sees(const Vector_3& from, const Vector_3& to)
   {
     count_work();
     m_solid.crossings(from, to, m_crossings);
+    if (m_crossings.empty()) {
+      m_solid.crossings(to, from, m_crossings);
+    }
     return m_crossings.empty();
   }
 
@@ -382,8 +354,8 @@ private:
       if (!way) {
         way.emplace(m_surface);
       }
-      std::vector<Vector_3> points = way->find(m_graph[a].position, m_graph[b].position);
-      if (points.empty() || !is_free_way(m_graph[a].position, points, m_graph[b].position)) {
+      const std::vector<Vector_3> points = way->find(m_graph[a].position, m_graph[b].position);
+      if (points.empty()) {
         return false;
       }
       const double radius = mean_radius(a, b);
@@ -393,16 +365,6 @@ private:
       return true;
     }
     return false;
-  }
-
-  /// Whether each part of the way is free in both directions: along faces that touch, the answers may differ.
-  bool is_free_way(Vector_3 from, const std::vector<Vector_3>& points, const Vector_3& to)
-  {
-    const auto goes_to = [&](const Vector_3& point) {
-      const Vector_3 last = std::exchange(from, point);
-      return is_free(last, point) && is_free(point, last);
-    };
-    return std::all_of(points.begin(), points.end(), goes_to) && goes_to(to);
   }
 
   double mean_radius(Index a, Index b) const { return (m_graph[a].radius + m_graph[b].radius) / 2; }

@@ -31,88 +31,66 @@ struct Bridged_border
   std::vector<Index> pieces;            ///< of the cut surface, that it passes, in ascending order
 };
 
-/// Finds the borders of a surface that were bridged.
-class Bridged_border_search
+/// The border along the halfedges of `curve`.
+inline Bridged_border measure_border(const Triangulated_surface& surface, const Cut_graph& cut_graph,
+                                     const std::vector<Index>& curve)
 {
-public:
-  Bridged_border_search(const Triangulated_surface& surface, const Cut_graph& cut_graph)
-      : m_surface(surface), m_cut_graph(cut_graph)
-  {
+  Bridged_border border;
+  std::vector<Vector_3> points;
+  for (Index h : curve) {
+    points.push_back(surface.point(surface.origin(h)));
+    border.pieces.push_back(cut_graph.piece_of_vertex(surface.origin(h)));
   }
-
-  /// All borders, in the order of their first halfedges; linear in the number of hole-filling faces.
-  std::vector<Bridged_border> operator()() const
-  {
-    std::vector<Bridged_border> result;
-    const Index first = 3 * m_surface.first_hole_filling_face();
-    std::vector<char> is_met(m_surface.number_of_halfedges() - first, 0);
-    std::vector<Index> curve;
-    for (Index start = first; start < m_surface.number_of_halfedges(); ++start) {
-      curve.clear();
-      for (Index h = start; is_on_border(h) && is_met[h - first] == 0; h = next_on_border(h)) {
-        is_met[h - first] = 1;
-        curve.push_back(h);
-      }
-      if (!curve.empty()) {
-        result.push_back(measure(curve));
-      }
-    }
-    return result;
+  std::sort(border.pieces.begin(), border.pieces.end());
+  border.pieces.erase(std::unique(border.pieces.begin(), border.pieces.end()), border.pieces.end());
+  const Polygon_measures measures = measure_polygon(points);
+  border.centroid = measures.center;
+  border.normal = measures.vector_area.normalized();
+  border.length = measures.length;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector_3& next = points[i + 1 < points.size() ? i + 1 : 0];
+    const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
+    border.radius += (next - points[i]).norm() / border.length * distance;
   }
-
-private:
-  bool is_hole_filling(Index h) const { return m_surface.is_hole_filling(Triangulated_surface::face(h)); }
-  bool is_on_border(Index h) const { return is_hole_filling(h) && !is_hole_filling(m_surface.twin(h)); }
-
-  /// The next halfedge of the curve, along the hole-filling faces around the target of `h`.
-  Index next_on_border(Index h) const
-  {
-    h = Triangulated_surface::next(h);
-    while (!is_on_border(h)) {
-      h = Triangulated_surface::next(m_surface.twin(h));
-    }
-    return h;
-  }
-
-  Bridged_border measure(const std::vector<Index>& curve) const
-  {
-    Bridged_border border;
-    std::vector<Vector_3> points;
-    for (Index h : curve) {
-      points.push_back(m_surface.point(m_surface.origin(h)));
-      border.pieces.push_back(m_cut_graph.piece_of_vertex(m_surface.origin(h)));
-    }
-    std::sort(border.pieces.begin(), border.pieces.end());
-    border.pieces.erase(std::unique(border.pieces.begin(), border.pieces.end()), border.pieces.end());
-    const Polygon_measures measures = measure_polygon(points);
-    border.centroid = measures.center;
-    border.normal = measures.vector_area.normalized();
-    border.length = measures.length;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector_3& next = points[i + 1 < points.size() ? i + 1 : 0];
-      const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
-      border.radius += (next - points[i]).norm() / border.length * distance;
-    }
-    return border;
-  }
-
-  const Triangulated_surface& m_surface;
-  const Cut_graph& m_cut_graph;
-};
-
-/// The borders of `surface` that were bridged, if any.
-inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& surface, const Cut_graph& cut_graph)
-{
-  return Bridged_border_search(surface, cut_graph)();
+  return border;
 }
 
-/// Finds the borders where limbs end, and leads the skeleton there.
-class Limb_openings
+/// The borders of `surface` that were bridged, in the order of their first halfedges; linear in the number of
+/// hole-filling faces.
+inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& surface, const Cut_graph& cut_graph)
+{
+  const auto is_hole_filling = [&](Index h) { return surface.is_hole_filling(Triangulated_surface::face(h)); };
+  const auto is_on_border = [&](Index h) { return is_hole_filling(h) && !is_hole_filling(surface.twin(h)); };
+  std::vector<Bridged_border> result;
+  const Index first = 3 * surface.first_hole_filling_face();
+  std::vector<char> is_met(surface.number_of_halfedges() - first, 0);
+  std::vector<Index> curve;
+  for (Index start = first; start < surface.number_of_halfedges(); ++start) {
+    curve.clear();
+    for (Index h = start; is_on_border(h) && is_met[h - first] == 0;) {
+      is_met[h - first] = 1;
+      curve.push_back(h);
+      // On along the hole-filling faces around the target.
+      h = Triangulated_surface::next(h);
+      while (!is_on_border(h)) {
+        h = Triangulated_surface::next(surface.twin(h));
+      }
+    }
+    if (!curve.empty()) {
+      result.push_back(measure_border(surface, cut_graph, curve));
+    }
+  }
+  return result;
+}
+
+/// Leads branches to the ends of limbs, and to the middle of the borders where limbs end. Branches on sheets go on
+/// later, once they are centered.
+class Limb_ends
 {
 public:
   /// All are referred to.
-  Limb_openings(const Cut_solid& cut, const Piece_vertices& pieces, Skeleton_builder& graph)
-      : m_cut(cut), m_pieces(pieces), m_graph(graph), m_openings(cut.number_of_pieces())
+  Limb_ends(const Cut_solid& cut, const Piece_vertices& pieces, const Cut_graph_nodes& nodes, Skeleton_builder& graph)
+      : m_cut(cut), m_pieces(pieces), m_nodes(nodes), m_graph(graph), m_openings(cut.number_of_pieces())
   {
     for (const Bridged_border& border : bridged_borders(cut.solid.triangulation(), cut.cut_graph)) {
       const Index piece = piece_behind(border);
@@ -122,19 +100,11 @@ public:
     }
   }
 
-  /// The borders where `piece` is open.
-  const std::vector<Bridged_border>& of(Index piece) const { return m_openings[piece]; }
-
-  /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.
-  void open(Index piece, Index node)
+  void operator()()
   {
-    const bool is_end = m_cut.around(piece).size() == 1 && m_openings[piece].size() == 1;
-    for (const Bridged_border& border : m_openings[piece]) {
-      const Index last = is_end ? shorten_limb(piece, node, border) : node;
-      const Vector_3 position = border.centroid - opening_depth * border.radius * border.normal;
-      const Index opening = m_graph.add_node(position, border.radius);
-      m_graph[opening].is_opening = true;
-      m_graph.add_edge(last, opening);
+    for (Index piece = 0; piece < m_cut.number_of_pieces(); ++piece) {
+      open(piece, m_nodes.node_of_piece(piece));
+      add_tips(piece);
     }
   }
 
@@ -146,17 +116,18 @@ private:
   static constexpr double min_opening_cosine = 0.3;
   /// A component without separators is this deep behind its border, relative to the radius: it is not a sheet.
   static constexpr double min_depth = 1.5;
-  /// Elsewhere, a border ends a stump, too short for a separator, if it is this far from the middle of its piece,
-  /// relative to the radius of the body there, ...
-  static constexpr double min_stump_length = 1.6;
-  /// ... has this radius, likewise, ...
-  static constexpr double min_stump_radius = 0.3;
-  /// ... and if the cosine of the angle between its normal and the stump is at least this.
-  static constexpr double min_stump_cosine = 0.5;
   /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius.
   static constexpr double min_depth_of_node = 0.5;
   /// The node of an opening is this far inside of the border, relative to its radius.
   static constexpr double opening_depth = 0.01;
+
+  /// A component of a smaller radius, relative to the root of the area of the surface, is flat: inside tests are
+  /// unreliable there.
+  static constexpr double min_thickness = 1e-7;
+  /// Tips stay this far below the surface, relative to the radius.
+  static constexpr double tip_depth = 0.65;
+  /// An edge to a tip has at least this length, likewise.
+  static constexpr double min_tip_length = 0.3;
 
   /// The piece that is open at `border`: where separators cross that, the piece at the end of a limb. Where there are
   /// several of these, the border goes along the body, as that of a sheet does, and the result is `no_index`.
@@ -173,28 +144,13 @@ private:
   bool is_opening(const Bridged_border& border, Index piece) const
   {
     const std::vector<Index>& around = m_cut.around(piece);
-    if (around.empty()) {
-      return m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
-    }
-    if (around.size() > 1) {
-      return border.pieces.size() == 1 && ends_stump(border, piece);
+    if (around.size() != 1) {
+      return around.empty() && m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
     }
     const Separator& separator = m_cut.separator(last_separator(border, piece));
     const double side = separator.normal.dot(border.centroid - separator.center) < 0 ? -1 : 1;
     return border.length >= min_opening_length * separator.length &&
            side * separator.normal.dot(border.normal) >= min_opening_cosine;
-  }
-
-  bool ends_stump(const Bridged_border& border, Index piece) const
-  {
-    double radius = 0;
-    for (Index i : m_cut.around(piece)) {
-      radius = std::max(radius, m_cut.separator(i).radius());
-    }
-    const std::optional<Vector_3> centroid = m_pieces.centroid(piece);
-    const Vector_3 stump = centroid ? Vector_3(border.centroid - *centroid) : Vector_3::Zero();
-    return stump.norm() >= min_stump_length * radius && border.radius >= min_stump_radius * radius &&
-           border.normal.dot(stump) >= min_stump_cosine * stump.norm();
   }
 
   /// The last separator of the limb that ends in `piece` before separators that cross `border`, as many do where the
@@ -209,6 +165,19 @@ private:
         return separator;
       }
       separator = around[0] == separator ? around[1] : around[0];
+    }
+  }
+
+  /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.
+  void open(Index piece, Index node)
+  {
+    const bool is_end = m_cut.around(piece).size() == 1 && m_openings[piece].size() == 1;
+    for (const Bridged_border& border : m_openings[piece]) {
+      const Index last = is_end ? shorten_limb(piece, node, border) : node;
+      const Vector_3 position = border.centroid - opening_depth * border.radius * border.normal;
+      const Index opening = m_graph.add_node(position, border.radius);
+      m_graph[opening].is_opening = true;
+      m_graph.add_edge(last, opening);
     }
   }
 
@@ -231,47 +200,9 @@ private:
     return end;
   }
 
-  const Cut_solid& m_cut;
-  const Piece_vertices& m_pieces;
-  Skeleton_builder& m_graph;
-  std::vector<std::vector<Bridged_border>> m_openings; ///< of each piece
-};
-
-/// Leads branches to the ends of limbs. Branches on sheets go on later, once they are centered.
-class Limb_ends
-{
-public:
-  /// All are referred to.
-  Limb_ends(const Cut_solid& cut, const Piece_vertices& pieces, const Cut_graph_nodes& nodes, Skeleton_builder& graph)
-      : m_cut(cut), m_pieces(pieces), m_nodes(nodes), m_graph(graph), m_openings(cut, pieces, graph)
-  {
-  }
-
-  void operator()()
-  {
-    for (Index piece = 0; piece < m_cut.number_of_pieces(); ++piece) {
-      m_openings.open(piece, m_nodes.node_of_piece(piece));
-      add_tips(piece);
-    }
-  }
-
-private:
-  /// A component of a smaller radius, relative to the root of the area of the surface, is flat: inside tests are
-  /// unreliable there.
-  static constexpr double min_thickness = 1e-7;
-  /// Tips stay this far below the surface, relative to the radius.
-  static constexpr double tip_depth = 0.65;
-  /// An edge to a tip has at least this length, likewise.
-  static constexpr double min_tip_length = 0.3;
-  /// The distance of the far end of a piece from its base, relative to the length of the ray and to the radius, from
-  /// which on the ray does not decide.
-  static constexpr double max_reach_of_end = 2;
-  /// The part of a piece beyond this distance is far, relative to its farthest point.
-  static constexpr double far_part = 0.6;
-
   void add_tips(Index piece)
   {
-    const std::vector<Bridged_border>& openings = m_openings.of(piece);
+    const std::vector<Bridged_border>& openings = m_openings[piece];
     const std::size_t number_of_ways = m_cut.around(piece).size() + openings.size();
     const Index base = m_nodes.node_of_piece(piece);
     const Vector_3 start = m_graph[base].position;
@@ -284,7 +215,7 @@ private:
       add_tip(piece, base, -openings.front().normal);
     } else if (number_of_ways == 1) {
       if (!m_graph[base].is_on_sheet) {
-        end_limb(piece, base);
+        add_tip(piece, base, outward_normal(piece, start));
       }
     } else {
       const Vector_3 direction = (m_pieces.farthest(piece, start) - start).normalized();
@@ -293,36 +224,13 @@ private:
     }
   }
 
-  /// The normal of the only separator of `piece`, into the piece.
-  Vector_3 outward_normal(Index piece, Index base) const
+  /// The normal of the only separator of `piece`, at `start`, into the piece.
+  Vector_3 outward_normal(Index piece, const Vector_3& start) const
   {
-    const Vector_3& start = m_graph[base].position;
-    const Vector_3& normal = m_cut.separator(m_cut.around(piece).front()).normal;
-    Vector_3 way = normal;
-    if (const std::optional<Vector_3> centroid = m_pieces.centroid(piece)) {
-      way = *centroid - start;
-    } else if (m_graph.degree(base) > 0) {
-      way = start - m_graph[m_graph[base].neighbors[0]].position;
-    }
-    return normal.dot(way) < 0 ? Vector_3(-normal) : normal;
-  }
-
-  /// Adds a tip in the direction of the only separator of `piece`; where that meets a wall early, as in a cup, one
-  /// towards the far part of the piece.
-  void end_limb(Index piece, Index base)
-  {
-    const Vector_3& start = m_graph[base].position;
-    const Vector_3 direction = outward_normal(piece, base);
-    const double reach = std::max(distance_to_end(piece, base, direction), m_graph[base].radius);
-    std::optional<Vector_3> far_end;
-    if ((m_pieces.farthest(piece, start) - start).norm() > max_reach_of_end * reach) {
-      far_end = far_end_of(piece, base);
-    }
-    if (far_end) {
-      join_tip(piece, base, *far_end);
-    } else {
-      add_tip(piece, base, direction);
-    }
+    const Index end = m_cut.around(piece).front();
+    const double side = m_cut.cut_graph.sides(end).left == piece ? 1 : -1;
+    const Vector_3 normal = side * m_cut.separator(end).normal;
+    return normal.dot(m_pieces.centroid(piece).value_or(start + normal) - start) < 0 ? Vector_3(-normal) : normal;
   }
 
   /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
@@ -334,18 +242,13 @@ private:
     const double depth = tip_depth * radius;
     const double length = reach - (reach > depth ? depth : depth / 2);
     if (length >= min_tip_length * radius) {
-      join_tip(piece, base, start + length * direction);
+      const Index tip = m_graph.add_node(start + length * direction, radius);
+      m_graph[tip].pieces = {piece};
+      m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
+      m_graph.add_edge(base, tip);
     } else if (length > 0 && m_graph.degree(base) == 1) {
       m_graph[base].position = start + length * direction;
     }
-  }
-
-  void join_tip(Index piece, Index base, const Vector_3& position)
-  {
-    const Index tip = m_graph.add_node(position, m_graph[base].radius);
-    m_graph[tip].pieces = {piece};
-    m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
-    m_graph.add_edge(base, tip);
   }
 
   double distance_to_end(Index piece, Index base, const Vector_3& direction) const
@@ -358,29 +261,11 @@ private:
     return hit ? hit->distance : 0;
   }
 
-  /// A place inside below the surface of `piece` that is far from `base`, in the direction of the mean of that.
-  std::optional<Vector_3> far_end_of(Index piece, Index base) const
-  {
-    const Vector_3& start = m_graph[base].position;
-    const double far = far_part * (m_pieces.farthest(piece, start) - start).norm();
-    Vector_3 sum = Vector_3::Zero();
-    for (Index vertex : m_pieces[piece]) {
-      const Vector_3 way = m_pieces.point(vertex) - start;
-      sum += way.norm() > far ? way : Vector_3(Vector_3::Zero());
-    }
-    const Vector_3 direction = sum.normalized();
-    const double length = m_pieces.extent(piece, start, direction) - tip_depth * m_graph[base].radius;
-    const Vector_3 place = start + length * direction;
-    const std::optional<Vector_3> result =
-        m_cut.solid.is_inside(place) ? std::optional<Vector_3>(place) : m_cut.solid.middle_behind(place);
-    return result && m_cut.solid.is_inside(*result) ? result : std::nullopt;
-  }
-
   const Cut_solid& m_cut;
   const Piece_vertices& m_pieces;
   const Cut_graph_nodes& m_nodes;
   Skeleton_builder& m_graph;
-  Limb_openings m_openings;
+  std::vector<std::vector<Bridged_border>> m_openings; ///< of each piece
 };
 
 } // namespace CSCD::internal

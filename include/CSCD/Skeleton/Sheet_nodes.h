@@ -24,68 +24,28 @@
 
 namespace CSCD::internal {
 
-/// A part of a curve, by the positions of its first and last point.
-struct Curve_part
+/// The point at `distance` from the point at position `first` of the closed curve `points`, along the curve.
+inline Vector_3 point_along(const std::vector<Vector_3>& points, std::size_t first, double distance)
 {
-  std::size_t first = 0;
-  std::size_t last = 0;
-  double length = 0;
-};
-
-/// The longest part of the closed curve `points` on side `side` of a sheet, where `sides` has the sides of each crossed
-/// edge. \pre some edge is not on that side
-inline std::optional<Curve_part> longest_part(const std::vector<Vector_3>& points, const std::vector<unsigned>& sides,
-                                              unsigned side)
-{
-  const std::size_t n = points.size();
-  std::size_t start = 0;
-  while (sides[start] == side) {
-    ++start;
-  }
-  std::optional<Curve_part> longest;
-  std::optional<Curve_part> part;
-  for (std::size_t i = start; i < start + n; ++i) {
-    if (sides[i % n] != side) {
-      part.reset();
-    } else if (!part) {
-      part = Curve_part{i, i, 0};
-    } else {
-      part->length += (points[i % n] - points[part->last % n]).norm();
-      part->last = i;
-    }
-    if (part && (!longest || part->length >= longest->length)) {
-      longest = part;
-    }
-  }
-  return longest;
-}
-
-/// The point halfway along `part` of the closed curve `points`.
-inline Vector_3 middle_of_part(const std::vector<Vector_3>& points, const Curve_part& part)
-{
-  const std::size_t n = points.size();
-  double left = part.length / 2;
-  for (std::size_t i = part.first; i < part.last; ++i) {
-    const Vector_3& a = points[i % n];
-    const Vector_3& b = points[(i + 1) % n];
+  for (std::size_t i = first;; ++i) {
+    const Vector_3& a = points[i % points.size()];
+    const Vector_3& b = points[(i + 1) % points.size()];
     const double length = (b - a).norm();
-    if (length > 0 && left <= length) {
-      return a + left / length * (b - a);
+    if (distance <= length) {
+      return length > 0 ? Vector_3(a + distance / length * (b - a)) : a;
     }
-    left -= length;
+    distance -= length;
   }
-  return points[part.last % n];
 }
 
-/// The middle of the open curve that the closed one of `crossings` follows on both sides of a sheet; nothing where it
-/// stays on one. Linear. \param side_of_sheet as for `sides_of_sheet()`
+/// The middle of the open curve that the closed one of `crossings` follows on both sides of a sheet: between the points
+/// halfway along the longest part on each side. Nothing where it stays on one. Linear.
+/// \param side_of_sheet as for `sides_of_sheet()`
 template <class Sides>
 std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface, const Sides& side_of_sheet,
                                              const std::vector<Edge_crossing>& crossings)
 {
-  if (sides_of_sheet(surface, side_of_sheet, crossings) != 3) {
-    return std::nullopt;
-  }
+  constexpr unsigned both_sides = 3;
   std::vector<Vector_3> points;
   crossing_points(surface, crossings, points);
   std::vector<unsigned> sides;
@@ -93,12 +53,23 @@ std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface
   for (const Edge_crossing& crossing : crossings) {
     sides.push_back(sides_of_sheet(surface, side_of_sheet, {crossing}));
   }
-  const std::optional<Curve_part> first = longest_part(points, sides, 1);
-  const std::optional<Curve_part> second = longest_part(points, sides, 2);
-  if (!first || !second) {
-    return std::nullopt;
+  const std::size_t n = points.size();
+  const auto start = std::size_t(std::find(sides.begin(), sides.end(), both_sides) - sides.begin());
+  std::array<double, both_sides + 1> longest{-1, -1, -1, -1}; // on each side
+  std::array<Vector_3, both_sides + 1> middle;
+  for (std::size_t first = start + 1; start < n && first < start + n; ++first) {
+    const unsigned side = sides[first % n];
+    double length = 0;
+    const std::size_t begin = first;
+    for (; sides[(first + 1) % n] == side && side != both_sides; ++first) {
+      length += (points[(first + 1) % n] - points[first % n]).norm();
+    }
+    if (length >= longest[side]) {
+      longest[side] = length;
+      middle[side] = point_along(points, begin, length / 2);
+    }
   }
-  return Vector_3((middle_of_part(points, *first) + middle_of_part(points, *second)) / 2);
+  return std::min(longest[1], longest[2]) < 0 ? std::nullopt : std::optional<Vector_3>((middle[1] + middle[2]) / 2);
 }
 
 /// The middle between the sides of a sheet behind the surface that is nearest to `point`.
@@ -223,7 +194,7 @@ public:
   /// Adds nodes in the middle of sections of the sheet beyond every tip on a sheet, the last one at the border.
   void operator()()
   {
-    const Index size = m_solid.number_of_sheets() > 0 ? m_graph.size() : 0;
+    const Index size = m_graph.size();
     for (Index node = 0; node < size; ++node) {
       if (m_graph.degree(node) == 1 && m_graph[node].is_on_sheet) {
         prolong(node);

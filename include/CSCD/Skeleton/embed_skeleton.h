@@ -33,9 +33,9 @@ namespace CSCD::internal {
 inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
 {
   const Piece_vertices pieces(cut);
-  const Cut_graph_nodes nodes(cut, pieces, routing, graph);
+  const Cut_graph_nodes nodes(cut, pieces, graph);
   make_simple(graph);
-  Junction_merging{graph}();
+  merge_junctions(graph);
   settle_on_sheets(cut.solid, graph);
   routing.bring_inside();
   Junction_centering(cut.solid, graph)();

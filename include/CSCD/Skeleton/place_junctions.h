@@ -12,95 +12,37 @@
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Merges two junctions whenever the path between them is shorter than the body is thick there.
-/// The number of independent cycles stays: junctions that are joined by more than one path are left alone.
-class Junction_merging
+/// Merges two junctions with one node between them if the path over that is shorter than the body is thick there, and
+/// the only one of its kind: the graph stays simple.
+inline void merge_junctions(Skeleton_builder& graph)
 {
-public:
-  explicit Junction_merging(Skeleton_builder& builder) : m_builder(builder) {}
-
-  void operator()()
-  {
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      while (m_builder.is_junction(node) && merge_one_into(node)) {
-      }
+  constexpr double max_length = 1; // of the path, relative to the radius at the node between them
+  for (Index node = 0; node < graph.size(); ++node) {
+    if (!graph.is_regular(node)) {
+      continue;
+    }
+    const Index a = graph[node].neighbors[0];
+    const Index b = graph[node].neighbors[1];
+    const auto leads_to_b = [&](Index next) {
+      return next == b || (graph.is_regular(next) && graph.other_neighbor(next, a) == b);
+    };
+    const std::vector<Index>& around = graph[a].neighbors;
+    if (graph.is_junction(a) && graph.is_junction(b) &&
+        graph.edge_length(a, node) + graph.edge_length(node, b) < max_length * graph[node].radius &&
+        std::count_if(around.begin(), around.end(), leads_to_b) == 1) {
+      const double share = double(graph.degree(b)) / double(graph.degree(a) + graph.degree(b));
+      graph[a].position += share * (graph[b].position - graph[a].position);
+      graph[a].radius = std::max(graph[a].radius, graph[b].radius);
+      graph.contract(node, a);
+      graph.contract(b, a);
     }
   }
-
-private:
-  /// Junctions are merged if the path between them is shorter than this, relative to the minimal radius on the path.
-  static constexpr double max_length = 1;
-  /// A path of more nodes than this is never that short.
-  static constexpr std::size_t max_path_nodes = 4;
-
-  /// The nodes strictly between two junctions, and the second junction.
-  struct Path
-  {
-    std::vector<Index> inner;
-    Index end = no_index;
-    double length = 0;
-    double min_radius = std::numeric_limits<double>::max();
-  };
-
-  Path walk(Index start, Index first) const
-  {
-    Path path;
-    Index before = start;
-    Index node = first;
-    path.length = m_builder.edge_length(start, first);
-    while (m_builder.is_regular(node) && path.inner.size() < max_path_nodes) {
-      path.inner.push_back(node);
-      path.min_radius = std::min(path.min_radius, m_builder[node].radius);
-      before = std::exchange(node, m_builder.other_neighbor(node, before));
-      path.length += m_builder.edge_length(before, node);
-    }
-    path.end = node;
-    return path;
-  }
-
-  bool merge_one_into(Index junction)
-  {
-    for (Index first : m_builder[junction].neighbors) {
-      const Path path = walk(junction, first);
-      const bool is_short = !path.inner.empty() && path.length < max_length * path.min_radius;
-      if (is_short && path.end != junction && m_builder.is_junction(path.end) && is_only_path(junction, path.end)) {
-        merge(junction, path);
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool is_only_path(Index junction, Index end) const
-  {
-    const std::vector<Index>& neighbors = m_builder[junction].neighbors;
-    return std::count_if(neighbors.begin(), neighbors.end(),
-                         [&](Index first) { return walk(junction, first).end == end; }) == 1;
-  }
-
-  void merge(Index junction, const Path& path)
-  {
-    const auto weight = double(m_builder.degree(junction));
-    const auto other_weight = double(m_builder.degree(path.end));
-    m_builder[junction].position =
-        (weight * m_builder[junction].position + other_weight * m_builder[path.end].position) / (weight + other_weight);
-    m_builder[junction].radius = std::max(m_builder[junction].radius, m_builder[path.end].radius);
-    for (Index node : path.inner) {
-      m_builder.contract(node, junction);
-    }
-    m_builder.contract(path.end, junction);
-  }
-
-  Skeleton_builder& m_builder;
-};
+}
 
 /// A ball in the body.
 struct Ball
