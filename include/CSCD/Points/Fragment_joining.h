@@ -133,11 +133,10 @@ private:
     const Point_tree tree(places);
     std::vector<Candidate> result;
     for (const Index a : ends) {
-      const double widest = widest_gap * edge_length(a);
       tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index i, double squared_distance) {
         const Index b = ends[i];
         const double gap = std::sqrt(squared_distance);
-        if (m_fragment[a] != m_fragment[b] && gap <= widest) {
+        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::min(edge_length(a), edge_length(b))) {
           result.push_back({gap, std::min(a, b), std::max(a, b)});
         }
       });

@@ -81,12 +81,14 @@ private:
   /// The most edges of a border that is a gap between random points rather than a hole.
   static constexpr std::size_t largest_gap = 7;
 
-  /// The numbers of edges of the borders that are holes.
+  /// The numbers of edges of the borders that are not gaps: of holes, and around fragments of a few faces.
   std::vector<std::size_t> sizes_of_holes() const
   {
+    const Surface_components components(m_surface.triangles);
     std::vector<std::size_t> result;
     for (const std::vector<Index>& border : border_cycles(m_surface.triangles, m_surface.pairing)) {
-      if (border.size() > largest_gap) {
+      const std::size_t size = components.measures[components.component[border.front() / 3]].number_of_faces;
+      if (border.size() > largest_gap || size <= 2 * largest_gap) {
         result.push_back(border.size());
       }
     }
