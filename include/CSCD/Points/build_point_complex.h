@@ -489,7 +489,7 @@ inline Triangulated_cloud triangulate_cloud(const Point_cloud& cloud)
   return Cloud_triangulation(cloud)();
 }
 
-/// The complex of the triangulation of `cloud`.
+/// The complex of the triangulation of `cloud`, with gaps of a few edges closed: shortest paths would go around these.
 /// \throw Input_error if no triangle can be made
 inline Point_complex build_point_complex(const Point_cloud& cloud)
 {
@@ -498,6 +498,7 @@ inline Point_complex build_point_complex(const Point_cloud& cloud)
     throw Input_error(
         "no triangle could be made between the points: they do not sample a surface; sample it more densely");
   }
+  Gap_closing(triangulated.points, triangulated.normals, triangulated.triangles)();
   return {std::move(triangulated.points), std::move(triangulated.normals), triangulated.triangles};
 }
 
