@@ -148,8 +148,8 @@ public:
   /// @}
 
 private:
-  /// With more border edges for each point, the surface is doubtful: the 173 right ones of 208 clouds of surfaces have
-  /// at most 0.27, scans of trees and parts of them more than 0.3.
+  /// With more border edges for each point, the surface is doubtful: of the 173 right ones of 208 clouds of surfaces,
+  /// one has more, scans of trees and parts of them have more than 0.3.
   static constexpr double doubtful_border_edges = 0.28;
   /// With more cuts for each point, the skeleton is doubtful: of 173 clouds whose skeleton is right one has more, of 35
   /// others 14.
