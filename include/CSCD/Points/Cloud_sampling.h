@@ -34,23 +34,6 @@ struct Quadric_fit
   double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
 };
 
-/// The principal axes of `neighbors` around their mean with that of minimal extent, the normal of their plane, first.
-/// \param unit the unit of the offsets
-template <class Neighbors>
-std::array<Vector_3, 3> principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
-                                       double unit)
-{
-  const double size = double(neighbors.size()) + 1;
-  Vector_3 mean = Vector_3::Zero();
-  Moment_matrix moments;
-  for (const Index neighbor : neighbors) {
-    const Vector_3 offset = (points[neighbor] - points[point]) / unit;
-    mean += offset / size;
-    moments += Moment_matrix::product(offset, offset) / size;
-  }
-  return principal_axes(moments - Moment_matrix::product(mean, mean)).vectors;
-}
-
 /// Fits the plane and the height field through `point` and `neighbors`.
 /// \param neighbors a range of indices of points, none of them `point`
 /// \param reach the distance of the farthest of them
@@ -61,7 +44,11 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   constexpr std::size_t number_of_coefficients = 6;
   // Relative to the point and the reach, so that nothing is lost by cancellation.
   const double unit = reach;
-  const std::array<Vector_3, 3> axes = principal_axes(points, point, neighbors, unit);
+  std::vector<Vector_3> offsets{Vector_3::Zero()};
+  for (const Index neighbor : neighbors) {
+    offsets.push_back((points[neighbor] - points[point]) / unit);
+  }
+  const std::array<Vector_3, 3> axes = axes_of(offsets).vectors;
   Quadric_fit result;
   result.normal = axes[0];
   result.surface_normal = result.normal;
@@ -72,7 +59,7 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Coefficients right_side = Coefficients::Zero();
   double squared_heights = 0;
-  const auto add = [&](const Vector_3& offset) {
+  for (const Vector_3& offset : offsets) {
     const double x = offset.dot(axes[1]);
     const double y = offset.dot(axes[2]);
     const double height = offset.dot(result.normal);
@@ -81,18 +68,13 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
     normal_matrix += row * row.transpose();
     right_side += height * row;
     squared_heights += height * height;
-  };
-  add(Vector_3::Zero());
-  for (const Index neighbor : neighbors) {
-    add((points[neighbor] - points[point]) / unit);
   }
   const Coefficients coefficients = normal_matrix.ldlt().solve(right_side);
   const double squared_error = squared_heights - coefficients.dot(right_side);
   if (std::isfinite(squared_error) && std::abs(coefficients[0]) <= 1) {
     result.projection += unit * coefficients[0] * result.normal;
     result.surface_normal = (result.normal - coefficients[1] * axes[1] - coefficients[2] * axes[2]).normalized();
-    const double size = double(neighbors.size()) + 1;
-    result.deviation = unit * std::sqrt(std::max(0., squared_error) / (size - double(number_of_coefficients)));
+    result.deviation = unit * std::sqrt(std::max(0., squared_error) / double(offsets.size() - number_of_coefficients));
   }
   return result;
 }

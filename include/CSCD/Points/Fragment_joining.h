@@ -27,62 +27,65 @@ struct Joined_gap
   double width;
 };
 
-/// Joins fragments of a surface whose borders come near each other. Nothing is turned. A join
+/// Joins fragments of a surface whose borders come near each other, and drops small others. Nothing is turned. A join
 /// is a band of two triangles from border to border: the two borders become one, which can then be closed like any
 /// other.
 class Fragment_joining
 {
 public:
   Fragment_joining(Indexed_triangles& triangles, const Halfedge_pairing& pairing)
-      : m_triangles(triangles), m_pairing(pairing), m_next(triangles.points.size(), no_index),
-        m_previous(triangles.points.size(), no_index)
+      : m_triangles(triangles), m_next(triangles.points.size(), no_index), m_previous(m_next)
   {
     find_fragments();
-    find_borders();
+    // Borders run so that the faces that close them lie to their left.
+    for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
+      if (pairing.twin(h) == no_index) {
+        const Index origin = triangles.faces[h / 3][h % 3];
+        const Index target = triangles.faces[h / 3][(h + 1) % 3];
+        m_next[target] = origin;
+        m_previous[origin] = target;
+      }
+    }
   }
 
   /// Joins the fragments. \return the gaps, in the order of bridging
-  /// \post the pairing is invalid
+  /// \post the pairing is invalid, and vertices of small fragments that were not joined have no faces
   std::vector<Joined_gap> operator()()
   {
     std::vector<Joined_gap> result;
-    if (m_number_of_fragments > 1) {
+    if (m_size.size() > 1) {
       for (const Candidate& candidate : find_candidates()) {
-        if (join(candidate)) {
+        if (are_one_body(candidate)) {
+          unite(group(candidate.a), group(candidate.b));
+          add_band(candidate.a, candidate.b);
           result.push_back({(m_triangles.points[candidate.a] + m_triangles.points[candidate.b]) / 2, candidate.gap});
         }
       }
     }
-    Index kept = 0;
-    for (Index f = 0; f < m_triangles.faces.size(); ++f) {
-      if (!m_is_removed[f]) {
-        m_triangles.faces[kept++] = m_triangles.faces[f];
-      }
-    }
-    m_triangles.faces.resize(kept);
-    m_triangles.faces.insert(m_triangles.faces.end(), m_bands.begin(), m_bands.end());
-    m_triangles.first_hole_filling_face = m_triangles.faces.size();
+    drop_debris();
     return result;
   }
 
 private:
-  /// A vertex that is as near as so many neighbors of one in another fragment belongs to the same body ...
-  static constexpr Index near_neighbors = 16;
+  /// How far two borders are apart at most that noise has separated, relative to their edges ...
+  static constexpr double near_gap = 2;
   /// ... unless both fragments have more than this part of all faces: they may be bodies that touch.
   static constexpr double max_near_part = 0.15;
-  /// The widest gap over which fragments are joined, relative to how far those neighbors reach: about nine spacings of
-  /// points. Only missing data explain such gaps.
-  static constexpr double widest_gap = 4;
-  /// The neighbors among which the ends of such gaps are sought: as many as are within its width on a surface.
-  static constexpr Index far_neighbors = 256;
-  /// Fragments of at most so many faces are not bodies of their own: with a border ...
-  static constexpr std::size_t max_open_debris = 800;
-  /// ... and without, when they look whole.
-  static constexpr std::size_t max_closed_debris = 100;
+  /// The widest gap over which fragments are joined, likewise: about nine spacings of points. Only missing data explain
+  /// such gaps.
+  static constexpr double widest_gap = 8;
+  /// The vertices of borders among which the ends of such gaps are sought.
+  static constexpr Index far_neighbors = 64;
+  /// Fragments of at most so many faces are not bodies of their own.
+  static constexpr std::size_t max_debris = 800;
+  /// Fragments of at most so many faces are dropped if they are not joined ...
+  static constexpr double max_dropped = 100;
+  /// ... and have at most this part of all faces.
+  static constexpr double max_dropped_part = 0.02;
   /// The minimal length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
   static constexpr double min_border = 3;
-  /// ... and relative to the reach of the neighbors: a shorter border is only a hole in the sampling.
-  static constexpr double min_border_in_reaches = 4;
+  /// ... and relative to their edges: a shorter border is only a hole in the sampling.
+  static constexpr double min_border_in_edges = 8;
 
   struct Candidate
   {
@@ -92,10 +95,13 @@ private:
     bool operator<(const Candidate& other) const { return std::tie(gap, a, b) < std::tie(other.gap, other.a, other.b); }
   };
 
-  Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
-  Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
   double distance(Index a, Index b) const { return (m_triangles.points[a] - m_triangles.points[b]).norm(); }
   Index group(Index vertex) { return m_groups.find(m_fragment[vertex]); }
+  /// The mean length of the two edges of the border at `vertex`.
+  double edge_length(Index vertex) const
+  {
+    return (distance(m_previous[vertex], vertex) + distance(vertex, m_next[vertex])) / 2;
+  }
 
   void find_fragments()
   {
@@ -104,50 +110,33 @@ private:
       sets.join(face[0], face[1]);
       sets.join(face[0], face[2]);
     }
-    m_fragment = sets.numbers(m_number_of_fragments);
-    m_groups = Disjoint_sets(m_number_of_fragments);
-    m_size.assign(m_number_of_fragments, 0);
+    Index number = 0;
+    m_fragment = sets.numbers(number);
+    m_groups = Disjoint_sets(number);
+    m_size.assign(number, 0);
     for (const std::array<Index, 3>& face : m_triangles.faces) {
       ++m_size[m_fragment[face[0]]];
     }
-    m_is_removed.assign(m_triangles.faces.size(), 0);
-    m_faces_of_vertex = Compressed_rows<Index>(m_triangles.points.size(), [this](const auto& add) {
-      for (Index f = 0; f < m_triangles.faces.size(); ++f) {
-        for (const Index corner : m_triangles.faces[f]) {
-          add(corner, f);
-        }
-      }
-    });
   }
 
-  /// Borders run so that the faces that close them lie to their left.
-  void find_borders()
+  /// Pairs of vertices on borders of different fragments, the nearest first.
+  std::vector<Candidate> find_candidates() const
   {
-    m_has_border.assign(m_number_of_fragments, 0);
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      if (m_pairing.twin(h) == no_index) {
-        m_next[target(h)] = origin(h);
-        m_previous[origin(h)] = target(h);
-        m_has_border[m_fragment[origin(h)]] = 1;
+    std::vector<Index> ends;
+    std::vector<Vector_3> places;
+    for (Index vertex = 0; vertex < m_next.size(); ++vertex) {
+      if (m_next[vertex] != no_index) {
+        ends.push_back(vertex);
+        places.push_back(m_triangles.points[vertex]);
       }
     }
-  }
-
-  /// Pairs of vertices of different fragments, the nearest first: neighbors, and across wider gaps the vertices of
-  /// borders and of small fragments.
-  std::vector<Candidate> find_candidates()
-  {
-    const Point_tree tree(m_triangles.points);
+    const Point_tree tree(places);
     std::vector<Candidate> result;
-    m_reach.resize(m_triangles.points.size());
-    for (Index a = 0; a < m_fragment.size(); ++a) {
-      const bool is_far_end = m_next[a] != no_index || is_debris(m_fragment[a]);
-      const Index number = is_far_end ? far_neighbors : near_neighbors + 1; // a itself among them
-      Index i = 0;
-      tree.for_each_nearest(m_triangles.points[a], number, [&](Index b, double squared_distance) {
+    for (const Index a : ends) {
+      tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index i, double squared_distance) {
+        const Index b = ends[i];
         const double gap = std::sqrt(squared_distance);
-        m_reach[a] = i++ <= near_neighbors ? gap : m_reach[a];
-        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * m_reach[a]) {
+        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::min(edge_length(a), edge_length(b))) {
           result.push_back({gap, std::min(a, b), std::max(a, b)});
         }
       });
@@ -156,96 +145,48 @@ private:
     return result;
   }
 
-  /// Whether a group is too small to be a body of its own.
-  bool is_debris(Index group) const
-  {
-    return m_size[group] <= (m_has_border[group] != 0 ? max_open_debris : max_closed_debris);
-  }
-
-  /// Whether a border of at least this length runs through `vertex`.
-  bool has_border_of(Index vertex, double length) const
-  {
-    double sum = 0;
-    Index v = vertex;
-    do {
-      if (m_next[v] == no_index) {
-        return false;
-      }
-      sum += distance(v, m_next[v]);
-      v = m_next[v];
-    } while (v != vertex && sum < length);
-    return sum >= length;
-  }
-
-  /// Joins the groups at the ends of a gap if they are of the same body: if they are near each other, or one is small,
-  /// or both are stumps.
-  bool join(const Candidate& gap)
+  /// Whether the groups at the ends of a gap are to be joined: if they are near each other, or one is small, or both
+  /// are stumps.
+  bool are_one_body(const Candidate& gap)
   {
     const Index group_a = group(gap.a);
     const Index group_b = group(gap.b);
     if (group_a == group_b) {
       return false;
     }
-    const double reach = std::max(m_reach[gap.a], m_reach[gap.b]);
-    const double border = std::max(min_border * gap.gap, min_border_in_reaches * reach);
-    const auto smaller = double(std::min(m_size[group_a], m_size[group_b]));
-    const bool is_part = smaller <= max_near_part * double(m_triangles.faces.size());
-    const bool is_small = is_part && (gap.gap <= reach || is_debris(group_a) || is_debris(group_b));
-    if (!is_small && !(has_border_of(gap.a, border) && has_border_of(gap.b, border))) {
-      return false;
-    }
-    unite(group_a, group_b);
-    const Vector_3 way = m_triangles.points[gap.b] - m_triangles.points[gap.a];
-    const Index end_a = open(gap.a, way);
-    const Index end_b = open(gap.b, -way);
-    add_band(end_a, end_b);
-    return true;
+    const double edge = std::max(edge_length(gap.a), edge_length(gap.b));
+    const std::size_t smaller = std::min(m_size[group_a], m_size[group_b]);
+    const bool is_part = double(smaller) <= max_near_part * double(m_triangles.faces.size());
+    const double border = std::max(min_border * gap.gap, min_border_in_edges * edge);
+    return (is_part && (gap.gap <= near_gap * edge || smaller <= max_debris)) ||
+           (has_border_of(gap.a, border) && has_border_of(gap.b, border));
   }
 
-  /// Makes sure that there is a border at or next to `vertex`, by opening a face that looks along `direction`.
-  /// \return a vertex on the border
-  Index open(Index vertex, const Vector_3& direction)
+  /// Whether the border through `vertex` has at least this length.
+  bool has_border_of(Index vertex, double length) const
   {
-    if (m_next[vertex] != no_index) {
-      return vertex;
-    }
-    Index best = no_index;
-    double greatest = 0;
-    Index on_border = no_index;
-    for (const Index f : m_faces_of_vertex[vertex]) {
-      const std::array<Index, 3>& face = m_triangles.faces[f];
-      const auto border = std::find_if(face.begin(), face.end(), [this](Index v) { return m_next[v] != no_index; });
-      if (border != face.end()) {
-        on_border = *border;
-        continue;
-      }
-      const Vector_3& p = m_triangles.points[face[0]];
-      const double cosine =
-          (m_triangles.points[face[1]] - p).cross(m_triangles.points[face[2]] - p).normalized().dot(direction);
-      if (best == no_index || cosine > greatest) {
-        best = f;
-        greatest = cosine;
-      }
-    }
-    if (best == no_index) {
-      return on_border;
-    }
-    m_is_removed[best] = 1;
-    const std::array<Index, 3>& face = m_triangles.faces[best];
-    for (std::size_t i = 0; i < 3; ++i) {
-      m_next[face[i]] = face[(i + 1) % 3];
-      m_previous[face[(i + 1) % 3]] = face[i];
-    }
-    return vertex;
+    double sum = 0;
+    Index v = vertex;
+    do {
+      sum += distance(v, m_next[v]);
+      v = m_next[v];
+    } while (v != vertex && sum < length);
+    return sum >= length;
   }
 
   void unite(Index group_a, Index group_b)
   {
+    const std::size_t size = m_size[group_a] + m_size[group_b];
     m_groups.join(group_a, group_b);
-    const Index joined = m_groups.find(group_a);
-    const Index other = joined == group_a ? group_b : group_a;
-    m_size[joined] += m_size[other];
-    m_has_border[joined] = char(m_has_border[joined] | m_has_border[other]);
+    m_size[m_groups.find(group_a)] = size;
+  }
+
+  void drop_debris()
+  {
+    std::vector<std::array<Index, 3>>& faces = m_triangles.faces;
+    const double max_size = std::min(max_dropped, max_dropped_part * double(faces.size()));
+    const auto is_debris = [&](const std::array<Index, 3>& face) { return double(m_size[group(face[0])]) <= max_size; };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), is_debris), faces.end());
   }
 
   /// Bridges the gap between `a` and `b` by a quadrangle with an edge of either border.
@@ -259,11 +200,11 @@ private:
     const Index after_p = m_next[p];
     const Index after_q = m_next[q];
     if (distance(p, q) < distance(after_p, after_q)) {
-      m_bands.push_back({p, after_p, q});
-      m_bands.push_back({p, q, after_q});
+      m_triangles.faces.push_back({p, after_p, q});
+      m_triangles.faces.push_back({p, q, after_q});
     } else {
-      m_bands.push_back({p, after_p, after_q});
-      m_bands.push_back({after_p, q, after_q});
+      m_triangles.faces.push_back({p, after_p, after_q});
+      m_triangles.faces.push_back({after_p, q, after_q});
     }
     m_next[p] = after_q;
     m_previous[after_q] = p;
@@ -272,18 +213,11 @@ private:
   }
 
   Indexed_triangles& m_triangles;
-  const Halfedge_pairing& m_pairing;
-  std::vector<Index> m_fragment; // of every vertex
-  std::vector<Index> m_next;     // of the vertices on borders
-  std::vector<Index> m_previous; // likewise
-  std::vector<double> m_reach;   // how far the neighbors of every vertex reach
-  Index m_number_of_fragments = 0;
+  std::vector<Index> m_next;       // of the vertices on borders
+  std::vector<Index> m_previous;   // likewise
+  std::vector<Index> m_fragment;   // of every vertex
   Disjoint_sets m_groups;          // of fragments that are joined
   std::vector<std::size_t> m_size; // faces of the groups
-  std::vector<char> m_has_border;  // of the groups, before any face was opened
-  std::vector<char> m_is_removed;  // of every face
-  Compressed_rows<Index> m_faces_of_vertex;
-  std::vector<std::array<Index, 3>> m_bands;
 };
 
 } // namespace CSCD::internal

@@ -108,12 +108,8 @@ namespace internal {
 /// added. O(n log n).
 void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud);
 
-/// Puts `order`, numbers of `points`, along a Hilbert curve, by medians: points that follow each other are near each
-/// other. O(n log n).
-void sort_along_curve(const std::vector<Vector_3>& points, std::vector<Index>& order);
-
-/// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a space
-/// filling curve, for points that are near each other to be near in memory.
+/// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a Hilbert
+/// curve, by medians, for points that are near each other to be near in memory. O(n log n).
 void sort_canonically(Point_cloud& cloud);
 
 } // namespace internal

@@ -26,32 +26,21 @@
 
 namespace CSCD::internal {
 
-CSCD_INLINE void sort_along_curve(const std::vector<Vector_3>& points, std::vector<Index>& order)
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  std::vector<Kernel::Point_3> cgal_points;
-  cgal_points.reserve(points.size());
-  for (const Vector_3& point : points) {
-    cgal_points.emplace_back(point.x(), point.y(), point.z());
-  }
-  const auto map = boost::make_iterator_property_map(cgal_points.cbegin(), boost::typed_identity_property_map<Index>());
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(map)>>(map));
-}
-
 CSCD_INLINE void sort_canonically(Point_cloud& cloud)
 {
+  using Kernel = CGAL::Simple_cartesian<double>;
   cloud.pose = Canonical_pose(cloud.points);
-  std::vector<Vector_3> posed;
+  std::vector<Kernel::Point_3> posed;
   posed.reserve(cloud.points.size());
   for (const Vector_3& point : cloud.points) {
-    posed.push_back(cloud.pose(point));
+    const Vector_3 place = cloud.pose(point);
+    posed.emplace_back(place.x(), place.y(), place.z());
   }
   std::vector<Index> order(cloud.points.size());
   std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(),
-            [&posed](Index i, Index j) { return is_lexicographically_less(posed[i], posed[j]); });
-  sort_along_curve(posed, order);
+  const auto map = boost::make_iterator_property_map(posed.cbegin(), boost::typed_identity_property_map<Index>());
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(map)>>(map));
   std::vector<Index> number(order.size());
   std::vector<Vector_3> points;
   std::vector<Vector_3> normals;
@@ -71,15 +60,18 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
 
 CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud)
 {
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(),
-            [&points](Index i, Index j) { return is_lexicographically_less(points[i], points[j]); });
+  std::vector<std::pair<Vector_3, Index>> numbered; // with their points, which are read all the time
+  numbered.reserve(points.size());
+  for (Index i = 0; i < points.size(); ++i) {
+    numbered.emplace_back(points[i], i);
+  }
+  std::sort(numbered.begin(), numbered.end(),
+            [](const auto& a, const auto& b) { return is_lexicographically_less(a.first, b.first); });
   cloud.points.reserve(points.size());
   cloud.input_point.resize(points.size());
-  for (Index i : order) {
-    if (cloud.points.empty() || cloud.points.back() != points[i]) {
-      cloud.points.push_back(points[i]);
+  for (const auto& [point, i] : numbered) {
+    if (cloud.points.empty() || cloud.points.back() != point) {
+      cloud.points.push_back(point);
       if (!normals.empty()) {
         cloud.normals.push_back(Vector_3::Zero());
       }

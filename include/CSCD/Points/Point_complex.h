@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -136,7 +137,11 @@ public:
   /// The length of `halfedge`.
   double length(Index halfedge) const { return m_lengths[halfedge]; }
   /// 0 without edges.
-  double mean_edge_length() const { return m_mean_edge_length; }
+  double mean_edge_length() const
+  {
+    const double sum = std::accumulate(m_lengths.begin(), m_lengths.end(), 0.);
+    return m_lengths.empty() ? 0 : sum / double(m_lengths.size());
+  }
   /// @}
 
   /// \name Triangles
@@ -187,15 +192,12 @@ private:
 
   void find_twins()
   {
-    double sum = 0;
     m_twins.resize(number_of_halfedges());
     for (Index v = 0; v < number_of_vertices(); ++v) {
       for (const Index h : outgoing(v)) {
         m_twins[h] = find_halfedge(target(h), v);
-        sum += m_lengths[h];
       }
     }
-    m_mean_edge_length = m_lengths.empty() ? 0 : sum / double(m_lengths.size());
   }
 
   void find_faces(const std::vector<std::array<Index, 3>>& triangles)
@@ -245,7 +247,6 @@ private:
   std::vector<double> m_lengths;              // of every halfedge
   std::vector<std::array<Index, 3>> m_faces;  // their halfedges
   Index m_number_of_components = 0;
-  double m_mean_edge_length = 0;
 };
 
 namespace internal {

@@ -18,14 +18,9 @@
 
 namespace CSCD {
 
-namespace internal {
-class Point_tree;
-class Winding_number;
-} // namespace internal
-
-/// Points joined by the triangles that their neighborhoods agree on, and the queries for the body that they enclose, by
-/// the winding number of the points with their normals and areas. The model of `SkeletonizationSurface` for point
-/// clouds without a surface.
+/// Points joined by the triangles that their neighborhoods agree on, and the queries for the body that they enclose:
+/// that of the closed surface which the triangles are a part of. The model of `SkeletonizationSurface` for point clouds
+/// without a surface.
 ///
 /// Triangles are Delaunay in the tangent planes (supplement, appendix G.2); neighborhoods do not extend to another
 /// sheet. The triangles are nearly a surface, and need not be one: only gaps of a few edges are closed, no handle is
@@ -49,21 +44,21 @@ public:
   /// \name Body
   /// @{
 
-  /// Whether the winding number of the points around `point` is more than a half.
+  /// Whether the body holds `point`.
   bool is_inside(const Vector_3& point) const;
-  /// The middle of the body behind the vertex nearest to `point`, if there is one.
+  /// The middle of the body behind where its surface is nearest to `point`, if there is one.
   std::optional<Vector_3> middle_behind(const Vector_3& point) const;
-  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
-  /// Parts that the segment crosses twice within half the spacing of the points may be missed.
+  /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body, in ascending
+  /// order.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
   /// @}
 
 private:
+  struct Body;
+
   std::vector<Index> m_vertex_of_point;
   Point_complex m_complex;
-  std::unique_ptr<const internal::Winding_number> m_winding_number;
-  std::unique_ptr<const internal::Point_tree> m_tree;
-  double m_step; // along lines: half the spacing of the points
+  std::unique_ptr<const Body> m_body;
 };
 
 } // namespace CSCD

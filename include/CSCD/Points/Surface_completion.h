@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -62,8 +63,8 @@ public:
       m_surface.point_of_vertex.push_back(point);
     }
     m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
-    for (Index h = 0; h < m_surface.pairing.number_of_halfedges(); ++h) {
-      m_surface.report.number_of_border_edges += m_surface.pairing.twin(h) == no_index ? 1 : 0;
+    for (const std::size_t size : sizes_of_holes()) {
+      m_surface.report.number_of_border_edges += size;
     }
     compact();
   }
@@ -77,6 +78,23 @@ public:
   }
 
 private:
+  /// The most edges of a border that is a gap between random points rather than a hole.
+  static constexpr std::size_t largest_gap = 7;
+
+  /// The numbers of edges of the borders that are not gaps: of holes, and around fragments of a few faces.
+  std::vector<std::size_t> sizes_of_holes() const
+  {
+    const Surface_components components(m_surface.triangles);
+    std::vector<std::size_t> result;
+    for (const std::vector<Index>& border : border_cycles(m_surface.triangles, m_surface.pairing)) {
+      const std::size_t size = components.measures[components.component[border.front() / 3]].number_of_faces;
+      if (border.size() > largest_gap || size <= 2 * largest_gap) {
+        result.push_back(border.size());
+      }
+    }
+    return result;
+  }
+
   /// Removes vertices without faces, and pairs the halfedges again.
   void compact()
   {
@@ -104,7 +122,7 @@ private:
     for (const Joined_gap& gap : joining()) {
       m_surface.report.joined_gaps.push_back(repair(gap.center, gap.width));
     }
-    pair();
+    compact();
   }
 
   Reconstruction_repair repair(const Vector_3& center, double length) const
@@ -116,7 +134,8 @@ private:
   /// Closes all holes and orients the surface.
   void close()
   {
-    m_surface.report.number_of_holes = bridge_borders(m_surface.triangles, m_surface.pairing);
+    m_surface.report.number_of_holes = sizes_of_holes().size();
+    bridge_borders(m_surface.triangles, m_surface.pairing);
     m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
     pair();
     Surface_components components(m_surface.triangles);
@@ -245,31 +264,26 @@ private:
   std::vector<char> largest_parts(const std::vector<Index>& region) const
   {
     const auto n = Index(region.size());
-    Disjoint_sets parts(n);
+    Disjoint_sets joined(n);
     for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
       if (region[m_surface.origin(h)] == region[m_surface.target(h)]) {
-        parts.join(m_surface.origin(h), m_surface.target(h));
+        joined.join(m_surface.origin(h), m_surface.target(h));
       }
     }
-    std::vector<Index> size(n, 0);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      ++size[parts.find(vertex)];
+    Index number_of_parts = 0;
+    const std::vector<Index> part = joined.numbers(number_of_parts);
+    std::vector<Index> size(number_of_parts, 0);
+    for (const Index its_part : part) {
+      ++size[its_part];
     }
-    std::vector<Index> largest; // of each region, the vertex that stands for its part
+    std::map<Index, Index> largest; // of each region, the part; the first one, of several
     for (Index vertex = 0; vertex < n; ++vertex) {
-      if (region[vertex] == no_index) {
-        continue;
-      }
-      largest.resize(std::max<std::size_t>(largest.size(), region[vertex] + 1), no_index);
-      Index& best = largest[region[vertex]];
-      const Index part = parts.find(vertex);
-      if (best == no_index || size[part] > size[best]) {
-        best = part;
-      }
+      Index& best = largest.emplace(region[vertex], part[vertex]).first->second;
+      best = size[part[vertex]] > size[best] ? part[vertex] : best;
     }
     std::vector<char> result(n, 0);
     for (Index vertex = 0; vertex < n; ++vertex) {
-      result[vertex] = region[vertex] != no_index && largest[region[vertex]] == parts.find(vertex) ? 1 : 0;
+      result[vertex] = region[vertex] != no_index && largest[region[vertex]] == part[vertex] ? 1 : 0;
     }
     return result;
   }

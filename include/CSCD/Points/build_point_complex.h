@@ -174,7 +174,6 @@ struct Triangulated_cloud
   double spacing = 0;                          ///< the median over the points of the mean distance to the nearest six
   double noise = 0;         ///< the lower quartile of the deviations from quadrics, relative to the spacing
   bool is_smoothed = false; ///< whether the noise was so large that triangles between the points would fold
-  std::size_t number_of_outliers = 0;
 };
 
 /// Triangulates a cloud, step by step (supplement, appendix G.2: the neighborhoods of the points, pruned of what
@@ -190,7 +189,6 @@ public:
 
   Triangulated_cloud operator()()
   {
-    find_outliers();
     smooth();
     if (is_small() && m_cloud.normals.empty()) {
       take_hull();
@@ -241,14 +239,6 @@ private:
       result.push_back(cloud.pose(point));
     }
     return result;
-  }
-
-  void find_outliers()
-  {
-    for (Index point = 0; point < m_neighbors.size(); ++point) {
-      m_is_outlier.push_back(is_outlier(m_neighbors, point) ? 1 : 0);
-    }
-    m_result.number_of_outliers = std::size_t(std::count(m_is_outlier.begin(), m_is_outlier.end(), char(1)));
   }
 
   /// Measures the noise, and moves the points to the quadrics of their neighborhoods if triangles between them would
@@ -319,7 +309,6 @@ private:
     triangles = select_triangles();
     Normal_orientation(m_points, m_normals)(triangles);
     orient(triangles);
-    Gap_closing(m_points, m_normals, triangles)();
     turn_outwards(triangles);
   }
 
@@ -382,14 +371,14 @@ private:
     proposals.reserve(7 * m_points.size());
     Delaunay_star star;
     for (Index p = 0; p < m_points.size(); ++p) {
-      if (m_is_outlier[p] != 0) {
+      if (is_outlier(m_neighbors, p)) {
         continue;
       }
       const Vector_3 x = m_normals[p].unitOrthogonal();
       const Vector_3 y = m_normals[p].cross(x);
       star.clear();
       for (const Index q : m_neighbors.neighbors(p)) {
-        if (m_is_outlier[q] == 0 && !are_two_sheets(p, q)) {
+        if (!are_two_sheets(p, q)) {
           const Vector_3 edge = m_points[q] - m_points[p];
           star.add({x.dot(edge), y.dot(edge)}, q);
         }
@@ -486,7 +475,6 @@ private:
   const Point_cloud& m_cloud;
   std::vector<Vector_3> m_points; // in the canonical pose, moved
   Neighbor_table m_neighbors;
-  std::vector<char> m_is_outlier;  // of every point
   std::vector<Quadric_fit> m_fits; // in the canonical pose
   double m_noise = 0;              // how far noise moves points off the surface, in the canonical pose
   std::vector<Vector_3> m_normals; // in the canonical pose
@@ -501,7 +489,7 @@ inline Triangulated_cloud triangulate_cloud(const Point_cloud& cloud)
   return Cloud_triangulation(cloud)();
 }
 
-/// The complex of the triangulation of `cloud`.
+/// The complex of the triangulation of `cloud`, with gaps of a few edges closed: shortest paths would go around these.
 /// \throw Input_error if no triangle can be made
 inline Point_complex build_point_complex(const Point_cloud& cloud)
 {
@@ -510,6 +498,7 @@ inline Point_complex build_point_complex(const Point_cloud& cloud)
     throw Input_error(
         "no triangle could be made between the points: they do not sample a surface; sample it more densely");
   }
+  Gap_closing(triangulated.points, triangulated.normals, triangulated.triangles)();
   return {std::move(triangulated.points), std::move(triangulated.normals), triangulated.triangles};
 }
 

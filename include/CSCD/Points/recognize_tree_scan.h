@@ -55,19 +55,6 @@ struct Cloud_forms
   Vector_3 normal;         ///< of that plane
 };
 
-/// The covariance of `offsets`, and their principal axes.
-/// \pre there are offsets
-inline Principal_axes axes_of(const std::vector<Vector_3>& offsets)
-{
-  Vector_3 mean = Vector_3::Zero();
-  Moment_matrix moments{};
-  for (const Vector_3& offset : offsets) {
-    mean += offset / double(offsets.size());
-    moments += Moment_matrix::product(offset, offset) / double(offsets.size());
-  }
-  return principal_axes(moments - Moment_matrix::product(mean, mean));
-}
-
 /// The offsets of `points` from every so many of `centers`, which are among them by number, up to `radius` and in units
 /// of it. Linear in what it returns and the number of points.
 /// \param number of centers, about

@@ -65,7 +65,6 @@ CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
   report.spacing = triangulated.spacing * cloud.normalization.unit;
   report.noise = triangulated.noise;
   report.is_smoothed = triangulated.is_smoothed;
-  report.number_of_outliers = triangulated.number_of_outliers;
   Surface_completion complete(result, cloud.normalization);
   complete.prepare();
   if (lie_along_curves(cloud.points, triangulated.spacing)) {
