@@ -274,7 +274,7 @@ inline Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Hal
   const Normalization to_unit_area = normalize_area(triangles);
   m_normalization = to_unit_box.then(to_unit_area);
   Triangulated_surface surface(std::move(triangles), number_of_threads);
-  CGAL_postcondition(!surface.defect());
+  CGAL_postcondition(!surface.has_defect());
   m_levels = std::make_unique<const Surface_levels>(std::move(surface), number_of_threads, has_sampled_limbs);
   for (std::size_t i = 0; i < cavities.vertices.size(); ++i) {
     m_cavity_vertices.emplace_back(nearest_vertex(to_unit_area.from_input(cavities.places[i])), cavities.vertices[i]);
