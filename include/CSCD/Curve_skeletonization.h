@@ -121,17 +121,7 @@ public:
   {
     m_separators.clear();
     m_packing.reset();
-    m_report.number_of_sources = 0;
-    m_report.number_of_sources_without_cut = 0;
-    m_report.number_of_rejections = {};
-    m_report.number_of_collapsed_loops = 0;
-    m_report.number_of_held_loops = 0;
-    m_report.number_of_unfinished_loops = 0;
-    m_report.number_of_bumps = 0;
-    m_report.number_of_tunnels = 0;
-    m_report.number_of_separators = 0;
-    m_report.number_of_plane_sections = 0;
-    m_report.number_of_straightened_loops = 0;
+    m_report = m_input_report;
     Stage_runner run_stage(m_visitor, m_report.seconds);
     run_stage(Skeletonization_stage::find_separators, [&] {
       m_settings.number_of_threads = internal::threads_of_tag<ConcurrencyTag>(m_number_of_threads);
@@ -221,8 +211,8 @@ private:
     check_skeletonization_traits<Traits>();
     check_skeletonization_policies<Policies, typename Traits::Surface>();
     check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
-    m_traits->describe_input(m_report);
-    m_number_of_input_warnings = m_report.warnings.size();
+    m_traits->describe_input(m_input_report);
+    m_report = m_input_report;
   }
 
   using Stage_runner = internal::Stage_runner<std::remove_reference_t<Visitor>>;
@@ -252,7 +242,7 @@ private:
     }
     builder.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
     compute_significance(result);
-    m_report.warnings.resize(m_number_of_input_warnings);
+    m_report.warnings = m_input_report.warnings;
     describe_skeleton(builder, m_report);
     return result;
   }
@@ -262,9 +252,9 @@ private:
   Visitor m_visitor;
   Options m_settings;
   unsigned m_number_of_threads = 0;
-  std::size_t m_number_of_input_warnings = 0;
   std::vector<Separator> m_separators;
   std::optional<typename Policies::Packing> m_packing;
+  Skeletonization_report m_input_report;
   Skeletonization_report m_report;
 };
 

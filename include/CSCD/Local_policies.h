@@ -60,12 +60,6 @@ public:
 
   /// How small a limb may be to get a branch.
   const Detail& detail() const { return m_detail; }
-  /// Sets how small a limb may be to get a branch. \return the object, so that calls chain
-  Local_policies& set_detail(const Detail& detail)
-  {
-    m_detail = detail;
-    return *this;
-  }
 
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
   /// Separators around a hollow are not returned.

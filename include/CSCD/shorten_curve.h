@@ -142,7 +142,7 @@ private:
   {
     internal::bridge_borders(collected.triangles, collected.pairing);
     Triangulated_surface surface(std::move(collected.triangles));
-    CGAL_postcondition(!surface.defect());
+    CGAL_postcondition(!surface.has_defect());
     return surface;
   }
 

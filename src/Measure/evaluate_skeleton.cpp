@@ -175,7 +175,7 @@ struct Measured_body
     }
     renumber(triangles, order);
     surface = Triangulated_surface(std::move(triangles));
-    CGAL_postcondition(!surface.defect());
+    CGAL_postcondition(!surface.has_defect());
     queries.emplace(surface);
   }
   Measured_body(const Measured_body&) = delete;
@@ -316,7 +316,7 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
     return error;
   }
   const Triangulated_surface surface(std::move(reconstruction.triangles));
-  CGAL_assertion(!surface.defect());
+  CGAL_assertion(!surface.has_defect());
   const Solid_queries queries(surface);
   double sum = 0;
   double sum_of_squares = 0;

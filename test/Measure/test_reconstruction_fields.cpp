@@ -111,7 +111,7 @@ struct Surface_facts
       max_error = std::max(max_error, std::abs(field(p)));
     }
     const Triangulated_surface surface(std::move(result.triangles));
-    is_manifold = !surface.defect();
+    is_manifold = !surface.has_defect();
     if (is_manifold) {
       euler_number = int(surface.number_of_vertices()) - int(surface.number_of_faces() / 2);
       for (Index f = 0; f < surface.number_of_faces(); ++f) {

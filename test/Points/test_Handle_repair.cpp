@@ -41,7 +41,7 @@ std::size_t repair(Indexed_triangles& triangles)
   const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
   EXPECT_EQ(CSCD::no_index, pairing.conflict());
   EXPECT_EQ(2 * loops.size(), CSCD::internal::bridge_borders(triangles, pairing));
-  EXPECT_FALSE(Triangulated_surface{Indexed_triangles(triangles)}.defect());
+  EXPECT_FALSE(Triangulated_surface{Indexed_triangles(triangles)}.has_defect());
   return loops.size();
 }
 

@@ -46,7 +46,7 @@ Triangulated_surface expect_closed(const Indexed_triangles& input, std::size_t n
   EXPECT_EQ(bridged.triangles.first_hole_filling_face, input.faces.size());
   EXPECT_TRUE(std::equal(input.faces.begin(), input.faces.end(), bridged.triangles.faces.begin()));
   Triangulated_surface surface(std::move(bridged.triangles));
-  EXPECT_FALSE(surface.defect());
+  EXPECT_FALSE(surface.has_defect());
   EXPECT_EQ(long(surface.number_of_vertices()) - long(surface.number_of_faces() / 2), euler_number);
   return surface;
 }

@@ -80,7 +80,7 @@ TEST(fill_cavities, leaves_the_body_as_it_is)
   for (std::size_t i = 0; i < triangles.points.size(); ++i) {
     EXPECT_EQ(triangles.points[i], before.points[filled.old_number[i]]);
   }
-  EXPECT_FALSE(CSCD::Triangulated_surface(std::move(triangles), std::move(pairing)).defect());
+  EXPECT_FALSE(CSCD::Triangulated_surface(std::move(triangles), std::move(pairing)).has_defect());
 }
 
 } // namespace

@@ -39,7 +39,7 @@ public:
     for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
       return m_status[vertex] != Status::open || keep_if_free(vertex, block);
     });
-    copy_rings(number_of_threads);
+    copy_rings();
     collapse_others(number_of_threads);
     number_coarse_vertices();
   }
@@ -128,7 +128,7 @@ private:
   }
 
   /// The ring of a kept vertex has room to grow; no other ring grows.
-  void copy_rings(unsigned number_of_threads)
+  void copy_rings()
   {
     const Index n = m_fine.number_of_vertices();
     m_degree.assign(n, 0);
@@ -141,14 +141,12 @@ private:
       size += m_status[vertex] == Status::kept ? std::max(degree, max_degree_after) : Index(m_degree[vertex]);
     }
     m_ring.resize(size);
-    for_each_range(n, number_of_threads, [this](Index begin, Index end) {
-      for (Index vertex = begin; vertex < end; ++vertex) {
-        if (m_degree[vertex] > 0) {
-          const auto outgoing = m_fine.outgoing(vertex);
-          std::transform(outgoing.begin(), outgoing.end(), ring(vertex), [this](Index h) { return m_fine.target(h); });
-        }
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      if (m_degree[vertex] > 0) {
+        const auto outgoing = m_fine.outgoing(vertex);
+        std::transform(outgoing.begin(), outgoing.end(), ring(vertex), [this](Index h) { return m_fine.target(h); });
       }
-    });
+    }
   }
 
   /// Faces without weight stay as they are, so that every level has them.
@@ -486,7 +484,7 @@ private:
     std::move(*coarsening).move_to(finest_vertex, coarse_vertex);
     coarsening.reset(); // before memory is allocated for the surface
     Triangulated_surface coarse(std::move(triangles), m_number_of_threads);
-    if (coarse.defect()) {
+    if (coarse.has_defect()) {
       return false;
     }
     Surface_level level(std::move(coarse));
@@ -496,11 +494,9 @@ private:
     level.finest_vertex = std::move(finest_vertex);
     const Index n = m_levels.front().surface.number_of_vertices();
     level.level_vertex.resize(n);
-    internal::for_each_range(n, m_number_of_threads, [&](Index begin, Index end) {
-      for (Index vertex = begin; vertex < end; ++vertex) {
-        level.level_vertex[vertex] = coarse_vertex[fine.from_finest(vertex)];
-      }
-    });
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      level.level_vertex[vertex] = coarse_vertex[fine.from_finest(vertex)];
+    }
     m_levels.push_back(std::move(level));
     return true;
   }

@@ -124,7 +124,7 @@ public:
   /// @{
 
   /// The number of components that are doubled sheets.
-  std::size_t number_of_sheets() const { return m_number_of_sheets; }
+  std::size_t number_of_sheets() const { return m_report.number_of_sheets; }
   /// The side of its sheet that `vertex` is on, 1 or 2; 0 on a component that is not a sheet.
   int side_of_sheet(Index vertex) const { return m_side_of_sheet.empty() ? 0 : m_side_of_sheet[vertex]; }
   /// @}
@@ -165,9 +165,9 @@ public:
   /// @{
 
   /// The number of vertices that are not of the input.
-  std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
-  /// Writes the numbers of all changes and the numbers of the surface to `report`.
-  void describe(Skeletonization_report& report) const;
+  std::size_t number_of_inserted_vertices() const { return m_report.number_of_inserted_vertices; }
+  /// The numbers of all changes and the numbers of the surface.
+  const Skeletonization_report& report() const { return m_report; }
   /// Adds warnings about the mesh to `report`, including its isolated vertices.
   void warn(Skeletonization_report& report) const;
   /// @}
@@ -194,13 +194,8 @@ private:
   std::vector<Index> m_component_begin;     ///< the first vertex of every component, and the number of vertices
   std::vector<signed char> m_side_of_sheet; ///< of every vertex; empty without sheets
   Normalization m_normalization;
-  std::size_t m_number_of_sheets = 0;
-  std::size_t m_number_of_wide_borders = 0;    ///< of the input, that are rims of sheets now
-  std::size_t m_number_of_bridged_borders = 0; ///< of the input, which faces without area close now
-  std::size_t m_number_of_inserted_vertices = 0;
-  std::size_t m_number_of_degenerate_faces = 0;    ///< of the input, with (nearly) no area; they are kept
-  std::size_t m_number_of_cavities = 0;            ///< components that were taken out, so that bodies are solid
-  std::size_t m_number_of_reversed_components = 0; ///< others that were oriented inwards in the input
+  Skeletonization_report m_report;                 ///< of all changes, and the numbers of the surface
+  std::size_t m_number_of_reversed_components = 0; ///< that were oriented inwards in the input, except cavities
   mutable std::once_flag m_queries_built;
   mutable std::unique_ptr<const internal::Solid_queries> m_queries;
 };
@@ -215,9 +210,9 @@ inline internal::Doubled_sheets Triangulated_solid::close(Indexed_triangles& tri
   if (sheets.number_of_sheets > 0) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
-  m_number_of_sheets = sheets.number_of_sheets;
-  m_number_of_wide_borders = sheets.number_of_wide_borders;
-  m_number_of_bridged_borders = internal::bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
+  m_report.number_of_sheets = sheets.number_of_sheets;
+  m_report.number_of_wide_borders = sheets.number_of_wide_borders;
+  m_report.number_of_bridged_borders = internal::bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
@@ -246,64 +241,56 @@ inline Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Hal
   internal::Doubled_sheets sheets = close(triangles, pairing, treatment);
   std::size_t number_of_given_points = sheets.side.empty() ? number_of_input_points : sheets.side.size();
   internal::Surface_components components(triangles);
-  m_number_of_degenerate_faces =
+  m_report.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
   const internal::Filled_cavities cavities =
       internal::fill_cavities(triangles, pairing, components, number_of_input_points, sheets.side);
-  m_number_of_cavities = cavities.number;
+  m_report.number_of_cavities = cavities.number;
   number_of_input_points -= cavities.vertices.size();
   number_of_given_points -= cavities.vertices.size();
   m_side_of_sheet = std::move(sheets.side);
-  if (m_number_of_cavities > 0 && !m_side_of_sheet.empty()) {
+  if (m_report.number_of_cavities > 0 && !m_side_of_sheet.empty()) {
     internal::reorder(m_side_of_sheet, cavities.old_number);
   }
   m_number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
   internal::split_two_face_components(triangles, pairing, components);
   const bool has_sampled_limbs = internal::sample_limbs(triangles, pairing, components, m_side_of_sheet) > 0;
   internal::refine_large_faces(triangles, pairing, components);
-  m_number_of_inserted_vertices = triangles.points.size() - number_of_given_points;
-  if (m_number_of_sheets > 0) {
+  m_report.number_of_inserted_vertices = triangles.points.size() - number_of_given_points;
+  if (m_report.number_of_sheets > 0) {
     internal::extend_sides(triangles, m_side_of_sheet);
   }
   order_vertices(triangles, std::move(pairing), components);
   for (Index& point : m_input_vertex) {
-    point = point >= number_of_input_points ? no_index : m_number_of_cavities > 0 ? cavities.old_number[point] : point;
+    point = point >= number_of_input_points   ? no_index
+            : m_report.number_of_cavities > 0 ? cavities.old_number[point]
+                                              : point;
   }
   // Summed in canonical order, the area and the centroid are the same for any order of the input.
   const Normalization to_unit_area = normalize_area(triangles);
   m_normalization = to_unit_box.then(to_unit_area);
   Triangulated_surface surface(std::move(triangles), number_of_threads);
-  CGAL_postcondition(!surface.defect());
+  CGAL_postcondition(!surface.has_defect());
   m_levels = std::make_unique<const Surface_levels>(std::move(surface), number_of_threads, has_sampled_limbs);
+  m_report.number_of_levels = m_levels->size();
+  m_report.number_of_surface_components = number_of_components();
+  m_report.genus = genus();
   for (std::size_t i = 0; i < cavities.vertices.size(); ++i) {
     m_cavity_vertices.emplace_back(nearest_vertex(to_unit_area.from_input(cavities.places[i])), cavities.vertices[i]);
   }
-}
-
-inline void Triangulated_solid::describe(Skeletonization_report& report) const
-{
-  report.number_of_surface_components = number_of_components();
-  report.number_of_bridged_borders = m_number_of_bridged_borders;
-  report.number_of_sheets = m_number_of_sheets;
-  report.number_of_wide_borders = m_number_of_wide_borders;
-  report.number_of_cavities = m_number_of_cavities;
-  report.number_of_inserted_vertices = m_number_of_inserted_vertices;
-  report.number_of_degenerate_faces = m_number_of_degenerate_faces;
-  report.number_of_levels = levels().size();
-  report.genus = genus();
 }
 
 inline void Triangulated_solid::warn(Skeletonization_report& report) const
 {
   report.add_warning(report.number_of_isolated_vertices, "vertex without a face: it belongs to no node",
                      "vertices without a face: they belong to no node");
-  report.add_warning(m_number_of_bridged_borders, "border: bridged by faces without weight",
+  report.add_warning(report.number_of_bridged_borders, "border: bridged by faces without weight",
                      "borders: bridged by faces without weight");
-  report.add_warning(m_number_of_sheets, "sheet: its separators lead from border to border",
+  report.add_warning(report.number_of_sheets, "sheet: its separators lead from border to border",
                      "sheets: their separators lead from border to border");
-  report.add_warning(m_number_of_degenerate_faces, "face with (nearly) no area", "faces with (nearly) no area");
-  report.add_warning(m_number_of_cavities, "cavity: filled; its vertices belong to the nodes of the body around",
+  report.add_warning(report.number_of_degenerate_faces, "face with (nearly) no area", "faces with (nearly) no area");
+  report.add_warning(report.number_of_cavities, "cavity: filled; its vertices belong to the nodes of the body around",
                      "cavities: filled; their vertices belong to the nodes of the bodies around");
   report.add_warning(m_number_of_reversed_components, "component that faced inwards: turned",
                      "components that faced inwards: turned");
@@ -356,10 +343,10 @@ public:
   /// Describes the input in `report`.
   void describe(Skeletonization_report& report) const
   {
+    report = m_solid.report();
     report.number_of_input_vertices = m_checked.input_number.size();
     report.number_of_isolated_vertices = m_checked.number_of_isolated_vertices;
     report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
-    m_solid.describe(report);
     m_solid.warn(report);
   }
 

@@ -98,19 +98,10 @@ struct Surface_hit
 class Triangulated_surface : public Triangle_halfedges
 {
 public:
-  /// An edge that does not have exactly two, oppositely oriented faces, or a vertex whose faces are not one fan.
-  struct Defect
-  {
-    Index vertex = no_index; ///< the vertex, or the origin of the edge; `no_index` without a defect
-    Index target = no_index; ///< the target of the edge, `no_index` for a vertex
-    /// Whether there is a defect.
-    explicit operator bool() const { return vertex != no_index; }
-  };
-
   Triangulated_surface() = default;
 
-  /// Compiles `triangles` to a closed surface; linear. Where they are not a closed oriented manifold, `defect()` names
-  /// the first violation and nothing else may be called.
+  /// Compiles `triangles` to a closed surface; linear. Where they are not a closed oriented manifold, only
+  /// `has_defect()` may be called.
   /// \param number_of_threads 0 for as many as TBB allows
   explicit Triangulated_surface(Indexed_triangles&& triangles, unsigned number_of_threads = 1)
       : Triangulated_surface(true, std::move(triangles),
@@ -123,14 +114,14 @@ public:
   Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
       : Triangulated_surface(false, std::move(triangles), std::move(pairing))
   {
-    CGAL_precondition(!m_defect);
+    CGAL_precondition(!m_has_defect);
   }
 
   /// \name Combinatorics
   /// @{
 
-  /// The first place where the triangles are not a surface, if any.
-  const Defect& defect() const { return m_defect; }
+  /// Whether the triangles are not a surface.
+  bool has_defect() const { return m_has_defect; }
 
   /// The number of vertices.
   Index number_of_vertices() const { return Index(m_points.size()); }
@@ -218,18 +209,10 @@ private:
       m_origin.insert(m_origin.end(), face.begin(), face.end());
     }
     std::vector<std::array<Index, 3>>().swap(triangles.faces);
-    Index lone = pairing.conflict();
-    const Index pinched = pairing.pinched_vertex();
+    m_has_defect = pairing.conflict() != no_index || pairing.pinched_vertex() != no_index ||
+                   (must_be_closed && pairing.has_border());
     std::move(pairing).move_to(m_twin, m_outgoing);
-    if (lone == no_index && must_be_closed) {
-      const auto border = std::find(m_twin.begin(), m_twin.end(), no_index);
-      lone = border == m_twin.end() ? no_index : Index(border - m_twin.begin());
-    }
-    if (lone != no_index) {
-      m_defect = {m_origin[lone], target(lone)};
-    } else if (pinched != no_index) {
-      m_defect = {pinched, no_index};
-    } else {
+    if (!m_has_defect) {
       measure_faces();
     }
   }
@@ -270,7 +253,7 @@ private:
   std::vector<std::array<float, 3>> m_vertex_normal;
   Index m_first_hole_filling_face = 0;
   double m_total_area = 0;
-  Defect m_defect;
+  bool m_has_defect = false;
 };
 
 /// One corner of a vertex `v`: the triangle between an outgoing edge and the next one counterclockwise.

@@ -95,8 +95,6 @@ public:
 
   /// The surface through the points.
   const Triangulated_solid& surface() const { return *m_surface; }
-  /// The report on the reconstruction of the surface.
-  const Reconstruction_report& reconstruction_report() const { return m_report; }
   /// Whether the points hardly sample the surface of a body, by the number of border edges of their triangles. Scans of
   /// trees are an example; `extract_tree_skeleton()` is for them.
   bool is_surface_doubtful() const
@@ -116,7 +114,7 @@ public:
   /// Describes the input in `report`.
   void describe_input(Skeletonization_report& report) const
   {
-    m_surface->describe(report);
+    report = m_surface->report();
     report.number_of_input_vertices = m_points.number_of_points();
     report.number_of_bridged_borders = m_report.number_of_holes;
     report.reconstruction = m_report;

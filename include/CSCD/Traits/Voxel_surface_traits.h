@@ -6,8 +6,8 @@
 #ifndef CSCD_TRAITS_VOXEL_SURFACE_TRAITS_H
 #define CSCD_TRAITS_VOXEL_SURFACE_TRAITS_H
 
+#include <CSCD/Options.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -16,12 +16,8 @@
 
 #include <CGAL/Iterator_range.h>
 
-#include <chrono>
 #include <cstddef>
-#include <numeric>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace CSCD {
 
@@ -44,49 +40,37 @@ public:
 
   /// Compiles `surface`, which is not copied if it is moved here; near linear.
   /// \pre the surface is as `Voxel_surface_builder` makes it
-  explicit Voxel_surface_traits(Voxel_surface surface) : m_numbers(surface.triangles.points.size())
+  explicit Voxel_surface_traits(Voxel_surface surface)
+      : m_mesh(
+            [&surface] {
+              surface.turn_cavities();
+              return check_triangles(std::move(surface.triangles), std::move(surface.pairing));
+            },
+            Border_treatment::bridge, 1)
   {
-    const auto start = std::chrono::steady_clock::now();
-    std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
-    surface.turn_cavities();
-    m_surface.emplace(std::move(surface.triangles), std::move(surface.pairing));
-    m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   /// The surface of the voxels.
-  const Triangulated_solid& surface() const { return *m_surface; }
+  const Triangulated_solid& surface() const { return m_mesh.solid(); }
 
   /// \name Back to the input
   /// @{
 
   /// The number of the vertex of the input that `vertex` is, or none for an inserted vertex.
-  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const
-  {
-    const Index input = m_surface->input_vertex(vertex);
-    const Input_descriptor* first = m_numbers.data() + (input == no_index ? 0 : input);
-    return {first, input == no_index ? first : first + 1};
-  }
+  CGAL::Iterator_range<const Index*> descriptors(Index vertex) const { return m_mesh.input_vertices(vertex); }
   /// A point of the surface in the coordinates of the volume.
   Point to_input_point(const Vector_3& point) const
   {
-    return CSCD::to_input_point<Point>(m_surface->normalization(), point);
+    return CSCD::to_input_point<Point>(surface().normalization(), point);
   }
   /// A length on the surface in the unit of the volume.
-  double to_input_length(double length) const { return length * m_surface->normalization().unit; }
+  double to_input_length(double length) const { return length * surface().normalization().unit; }
   /// Describes the input in `report`.
-  void describe_input(Skeletonization_report& report) const
-  {
-    report.number_of_input_vertices = m_numbers.size();
-    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
-    m_surface->describe(report);
-    m_surface->warn(report);
-  }
+  void describe_input(Skeletonization_report& report) const { m_mesh.describe(report); }
   /// @}
 
 private:
-  std::vector<Input_descriptor> m_numbers; // of the points of the input
-  std::optional<Triangulated_solid> m_surface;
-  double m_seconds = 0;
+  internal::Prepared_mesh m_mesh;
 };
 
 } // namespace CSCD

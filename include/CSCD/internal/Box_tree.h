@@ -67,11 +67,9 @@ public:
       entries.push_back({(boxes[i].min() + boxes[i].max()) / 2, i});
     }
     if (!boxes.empty()) {
-      m_boxes.resize(boxes.size() - 1);
-      m_children.resize(boxes.size() - 1);
-      const Range all{0, Index(boxes.size()), 0};
-      build(boxes, entries, all);
-      m_root = root_of(entries, all);
+      m_boxes.reserve(boxes.size() - 1);
+      m_children.reserve(boxes.size() - 1);
+      m_root = build(boxes, entries, 0, Index(boxes.size()));
     }
   }
 
@@ -150,57 +148,28 @@ private:
     return int(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 
-  /// Consecutive entries. The tree over n of them has n - 1 nodes, each behind the nodes below it.
-  struct Range
+  /// Builds the tree over the entries from `begin` to `end` - 1, whose halves lie on both sides of the median center
+  /// along the longest side of their box. \return its root, a node or an object
+  Index build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin, Index end)
   {
-    Index size() const { return end - begin; }
-    Index middle() const { return begin + (size() + (size() == 3 ? 1 : 0)) / 2; }
-    Range lower() const { return {begin, middle(), first_node}; }
-    Range upper() const { return {middle(), end, first_node + middle() - begin - 1}; }
-
-    Index begin;
-    Index end;
-    Index first_node;
-  };
-
-  /// The root of the tree over `range`, a node or an object.
-  static Index root_of(const std::vector<Entry>& entries, const Range& range)
-  {
-    return range.size() == 1 ? first_object + entries[range.begin].object : range.first_node + range.size() - 2;
-  }
-
-  /// Sorts a range into halves at the median center along the longest side of their box.
-  static void halve(std::vector<Entry>& entries, const Range& range)
-  {
-    if (range.size() > 2) {
-      const int axis = longest_side(entries, range.begin, range.end);
-      std::nth_element(entries.begin() + range.begin, entries.begin() + range.middle(), entries.begin() + range.end,
+    const Index size = end - begin;
+    if (size == 1) {
+      return first_object + entries[begin].object;
+    }
+    const Index middle = begin + (size + (size == 3 ? 1 : 0)) / 2;
+    if (size > 2) {
+      const int axis = longest_side(entries, begin, end);
+      std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
                        [axis](const Entry& a, const Entry& b) { return a.center[axis] < b.center[axis]; });
     }
-  }
-
-  /// Builds the tree over a range.
-  void build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, const Range& range)
-  {
-    if (range.size() > 1) {
-      halve(entries, range);
-      build(boxes, entries, range.lower());
-      build(boxes, entries, range.upper());
-      join_halves(boxes, entries, range);
-    }
-  }
-
-  /// Makes the root of the trees over the halves of a range.
-  void join_halves(const std::vector<Bounding_box>& boxes, const std::vector<Entry>& entries, const Range& range)
-  {
-    const Index lower = root_of(entries, range.lower());
-    const Index upper = root_of(entries, range.upper());
+    const Index lower = build(boxes, entries, begin, middle);
+    const Index upper = build(boxes, entries, middle, end);
     const auto box_of = [&](Index child) { return is_node(child) ? m_boxes[child] : boxes[child - first_object]; };
     Bounding_box box = box_of(lower);
     box.extend(box_of(upper));
-    const Index root = root_of(entries, range);
-    m_boxes[root] = box;
-    m_children[root] = {lower, upper};
+    m_boxes.push_back(box);
+    m_children.push_back({lower, upper});
+    return Index(m_boxes.size() - 1);
   }
 
   std::vector<Bounding_box> m_boxes; // of the inner nodes

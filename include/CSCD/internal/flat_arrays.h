@@ -86,18 +86,16 @@ private:
 };
 
 /// A set of indices that is emptied in constant time, so that local work costs nothing of the size of the surface.
-/// \tparam Epoch an unsigned integer type that numbers the sets
-template <class Epoch>
-class Basic_epoch_marks
+class Epoch_marks
 {
 public:
-  explicit Basic_epoch_marks(std::size_t size = 0) : m_epoch_of(size, 0) {}
+  explicit Epoch_marks(std::size_t size = 0) : m_epoch_of(size, 0) {}
 
-  /// Removes all marks; constant time, except once in as many calls as there are epochs.
+  /// Removes all marks; constant time, except once in 2^32 calls.
   void clear()
   {
-    if (m_epoch == std::numeric_limits<Epoch>::max()) {
-      std::fill(m_epoch_of.begin(), m_epoch_of.end(), Epoch(0));
+    if (m_epoch == std::numeric_limits<std::uint32_t>::max()) {
+      std::fill(m_epoch_of.begin(), m_epoch_of.end(), 0);
       m_epoch = 0;
     }
     ++m_epoch;
@@ -114,11 +112,9 @@ public:
   }
 
 private:
-  std::vector<Epoch> m_epoch_of;
-  Epoch m_epoch = 1;
+  std::vector<std::uint32_t> m_epoch_of; // the number of the last set that has it
+  std::uint32_t m_epoch = 1;             // the number of the set
 };
-
-using Epoch_marks = Basic_epoch_marks<std::uint32_t>;
 
 /// Boost's disjoint sets with their own memory, which can be copied and prolonged.
 class Disjoint_sets
