@@ -25,7 +25,7 @@ namespace {
 
 using boost::math::double_constants::two_pi;
 using CSCD::Index;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 
 //! [A surface of one's own]
 /// A tube of radius 0.4 around a trefoil knot: a model of `SurfaceTriangulation` and of `SkeletonizationSurface`.
@@ -42,11 +42,11 @@ public:
   {
     for (Index i = 0; i < size; ++i) {
       const double t = two_pi * i / size;
-      const Vector_3 normal(std::cos(3 * t) * std::cos(2 * t), std::cos(3 * t) * std::sin(2 * t), std::sin(3 * t));
-      const Vector_3 center = Vector_3(2 * std::cos(2 * t), 2 * std::sin(2 * t), 0) + normal;
-      const Vector_3 tangent(-3 * std::sin(3 * t) * std::cos(2 * t) - 2 * center.y(),
-                             -3 * std::sin(3 * t) * std::sin(2 * t) + 2 * center.x(), 3 * std::cos(3 * t));
-      const Vector_3 binormal = normal.cross(tangent).normalized();
+      const Vector3 normal(std::cos(3 * t) * std::cos(2 * t), std::cos(3 * t) * std::sin(2 * t), std::sin(3 * t));
+      const Vector3 center = Vector3(2 * std::cos(2 * t), 2 * std::sin(2 * t), 0) + normal;
+      const Vector3 tangent(-3 * std::sin(3 * t) * std::cos(2 * t) - 2 * center.y(),
+                            -3 * std::sin(3 * t) * std::sin(2 * t) + 2 * center.x(), 3 * std::cos(3 * t));
+      const Vector3 binormal = normal.cross(tangent).normalized();
       m_knot.push_back(center);
       for (Index j = 0; j < around; ++j) {
         const double s = two_pi * j / around;
@@ -82,22 +82,22 @@ public:
     }
     return result;
   }
-  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Vector3>& points() const { return m_points; }
   double length(Index h) const { return (m_points[target(h)] - m_points[origin(h)]).norm(); }
   double vertex_area(Index v) const
   {
     double sum = 0;
     for (const Index h : outgoing(v)) {
-      const Vector_3& p = m_points[v];
+      const Vector3& p = m_points[v];
       sum += (m_points[target(h)] - p).cross(m_points[origin(previous(h))] - p).norm() / 6;
     }
     return sum;
   }
 
   const Knot_tube& triangulation() const { return *this; }
-  bool is_inside(const Vector_3& p) const { return distance_above(p) < 0; }
-  std::optional<Vector_3> middle_behind(const Vector_3& p) const { return nearest_on_knot(p); }
-  void crossings(const Vector_3& p, const Vector_3& q, std::vector<double>& distances) const
+  bool is_inside(const Vector3& p) const { return distance_above(p) < 0; }
+  std::optional<Vector3> middle_behind(const Vector3& p) const { return nearest_on_knot(p); }
+  void crossings(const Vector3& p, const Vector3& q, std::vector<double>& distances) const
   {
     distances.clear();
     const double length = (q - p).norm();
@@ -113,33 +113,33 @@ public:
   }
 
 private:
-  Vector_3 nearest_on_knot(const Vector_3& p) const
+  Vector3 nearest_on_knot(const Vector3& p) const
   {
-    Vector_3 nearest = m_knot.front();
+    Vector3 nearest = m_knot.front();
     for (Index i = 0; i < size; ++i) {
-      const Vector_3 side = m_knot[(i + 1) % size] - m_knot[i];
+      const Vector3 side = m_knot[(i + 1) % size] - m_knot[i];
       const double part = std::clamp((p - m_knot[i]).dot(side) / side.squaredNorm(), 0., 1.);
-      const Vector_3 foot = m_knot[i] + part * side;
+      const Vector3 foot = m_knot[i] + part * side;
       nearest = (p - foot).squaredNorm() < (p - nearest).squaredNorm() ? foot : nearest;
     }
     return nearest;
   }
-  double distance_above(const Vector_3& p) const { return (p - nearest_on_knot(p)).norm() - radius; }
+  double distance_above(const Vector3& p) const { return (p - nearest_on_knot(p)).norm() - radius; }
 
-  std::vector<Vector_3> m_knot;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_knot;
+  std::vector<Vector3> m_points;
 };
 
 /// A model of `SkeletonizationTraits` with the coordinates of the surface; its vertices are named by row and column.
 struct Knot_traits
 {
-  using Point = Vector_3;
+  using Point = Vector3;
   using Input_descriptor = std::array<Index, 2>;
   using Surface = Knot_tube;
 
   const Surface& surface() const { return tube; }
   std::array<Input_descriptor, 1> descriptors(Index v) const { return {{{v / tube.around, v % tube.around}}}; }
-  Point to_input_point(const Vector_3& p) const { return p; }
+  Point to_input_point(const Vector3& p) const { return p; }
   double to_input_length(double length) const { return length; }
   void describe_input(CSCD::Skeletonization_report& report) const { report.genus = 1; }
 
@@ -154,11 +154,11 @@ try {
   const Knot_traits traits;
   CSCD::Curve_skeletonization skeletonization(traits, CSCD::Published_policies());
   skeletonization.set_maximum_number_of_sources(200);
-  CSCD::Skeleton_graph<Vector_3, Knot_traits::Input_descriptor> skeleton;
+  CSCD::Skeleton_graph<Vector3, Knot_traits::Input_descriptor> skeleton;
   const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
   double max_offset = 0;
   for (const auto node : CGAL::make_range(vertices(skeleton))) {
-    const Vector_3& point = skeleton[node].point;
+    const Vector3& point = skeleton[node].point;
     max_offset = std::max(max_offset, (point - *traits.tube.middle_behind(point)).norm());
   }
   std::cout << "nodes: " << report.number_of_nodes << ", cycles: " << report.betti_number

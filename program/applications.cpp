@@ -14,7 +14,7 @@
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -115,7 +115,7 @@ void write_diameters(const Application_options& options)
 
 namespace {
 
-using Loops = std::vector<CSCD::Surface_loop<Vector_3>>;
+using Loops = std::vector<CSCD::Surface_loop<Vector3>>;
 
 bool is_json(const std::string& filename)
 {
@@ -135,12 +135,12 @@ Loops find_loops(const Loops_options& options, const Input& input)
 void write_loops_as_json(std::ostream& out, const Loops& loops)
 {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const CSCD::Surface_loop<Vector_3>& loop : loops) {
+  for (const CSCD::Surface_loop<Vector3>& loop : loops) {
     nlohmann::ordered_json object{{"kind", name(loop.kind)}, {"length", loop.length}};
     if (loop.kind == CSCD::Loop_kind::constriction) {
       object["depth"] = loop.depth;
     }
-    for (const Vector_3& point : loop.points) {
+    for (const Vector3& point : loop.points) {
       object["points"].push_back({point.x(), point.y(), point.z()});
     }
     list.push_back(std::move(object));
@@ -153,7 +153,7 @@ void write_loops_as_page(std::ostream& out, const std::string& name, Input& inpu
 {
   Skeletonization_result result = compute_skeleton(input, Skeletonize_options(), nullptr);
   result.skeleton.separators.clear();
-  for (const CSCD::Surface_loop<Vector_3>& loop : loops) {
+  for (const CSCD::Surface_loop<Vector3>& loop : loops) {
     result.skeleton.separators.push_back(loop.points);
   }
   write_page(out, input, result, std::filesystem::path(name).filename().string() + ": loops as separators");
@@ -164,7 +164,7 @@ void write_loops_as_page(std::ostream& out, const std::string& name, Input& inpu
 Skeleton to_graph(const Loops& loops)
 {
   Skeleton graph;
-  for (const CSCD::Surface_loop<Vector_3>& loop : loops) {
+  for (const CSCD::Surface_loop<Vector3>& loop : loops) {
     const auto first = Index(graph.number_of_nodes());
     const auto size = Index(loop.points.size());
     graph.points.insert(graph.points.end(), loop.points.begin(), loop.points.end());

@@ -25,7 +25,7 @@
 #include <CSCD/Traits/Spatial_graph_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton_from_graph.h>
 #include <CSCD/skeletonize.h>
@@ -50,9 +50,9 @@ namespace cscd {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
-using Point_map = CGAL::Pointer_property_map<Vector_3>::const_type;
+using Point_map = CGAL::Pointer_property_map<Vector3>::const_type;
 /// A skeleton whose nodes hold numbers of points.
-using Number_graph = CSCD::Skeleton_graph<Vector_3, std::size_t>;
+using Number_graph = CSCD::Skeleton_graph<Vector3, std::size_t>;
 
 /// Makes surface traits of the numbered points of `input`, and of the normals if there are any.
 template <class Traits>
@@ -74,7 +74,7 @@ void take_surface(const Traits& traits, Input& input)
   std::vector<Index> place_of_vertex;
   for (Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
     const auto numbers = traits.descriptors(vertex);
-    const Vector_3 place = traits.to_input_point(triangulation.point(vertex));
+    const Vector3 place = traits.to_input_point(triangulation.point(vertex));
     const auto nearest = std::min_element(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
       return (input.points[a] - place).squaredNorm() < (input.points[b] - place).squaredNorm();
     });
@@ -194,7 +194,7 @@ Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_opt
   if (options.method == published_method) {
     return compute_published_mesh_skeleton(input, options, visitor);
   }
-  std::vector<Vector_3> points = input.is_kept ? input.points : std::move(input.points);
+  std::vector<Vector3> points = input.is_kept ? input.points : std::move(input.points);
   std::vector<std::array<Index, 3>> faces = input.is_kept ? input.faces : std::move(input.faces);
   CSCD::Skeletonization_visitor_reference<Progress_visitor> reference(visitor);
   Skeletonization_result result;
@@ -312,7 +312,7 @@ std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeleto
   const CSCD::internal::Point_tree tree(input.points);
   std::vector<CSCD::Vertex_label> labels_of_nearest;
   labels_of_nearest.reserve(input.as_read.points.size());
-  for (const Vector_3& point : input.as_read.points) {
+  for (const Vector3& point : input.as_read.points) {
     labels_of_nearest.push_back(labels[tree.nearest(point)]);
   }
   return labels_of_nearest;

@@ -8,7 +8,7 @@
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <array>
 #include <cstddef>

@@ -21,7 +21,7 @@
 
 namespace cscd {
 
-std::optional<Vector_3> root_point(const std::string& root)
+std::optional<Vector3> root_point(const std::string& root)
 {
   std::array<double, 3> coordinates{};
   std::istringstream in(root);
@@ -32,7 +32,7 @@ std::optional<Vector_3> root_point(const std::string& root)
       return std::nullopt;
     }
   }
-  return (in >> std::ws).eof() ? std::optional(Vector_3(coordinates[0], coordinates[1], coordinates[2])) : std::nullopt;
+  return (in >> std::ws).eof() ? std::optional(Vector3(coordinates[0], coordinates[1], coordinates[2])) : std::nullopt;
 }
 
 std::string check_root(const std::string& root)
@@ -46,7 +46,7 @@ std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root)
   if (root.empty()) {
     return {};
   }
-  if (const std::optional<Vector_3> point = root_point(root)) {
+  if (const std::optional<Vector3> point = root_point(root)) {
     return CSCD::internal::find_roots(skeleton, *point);
   }
   return CSCD::internal::find_roots(skeleton, root == thickest_root ? CSCD::Root_rule::thickest

@@ -22,7 +22,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/predicate.hpp>
@@ -89,9 +89,9 @@ void check_options(const Skeletonize_options& options)
   check_standard_output(number_of_results_on_standard_output(options));
 }
 
-std::vector<Vector_3> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
+std::vector<Vector3> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
 {
-  std::vector<Vector_3> result;
+  std::vector<Vector3> result;
   result.reserve(repairs.size());
   for (const CSCD::Reconstruction_repair& repair : repairs) {
     result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);

@@ -18,7 +18,7 @@
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <array>
 #include <cstddef>
@@ -33,19 +33,19 @@ namespace cscd {
 
 using CSCD::Index;
 using CSCD::Skeleton;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 
 /// A mesh, or points, if the file has no faces.
 struct Input
 {
   bool is_point_set = false;
   /// The vertices of the mesh; or the points, and behind them vertices that the surface made of these has besides.
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   std::vector<std::array<Index, 3>> faces; ///< of the mesh, or of the surface that is made of the points
   bool is_kept = true; ///< whether points and faces of a mesh are needed after the computation of the skeleton
   CSCD::Mesh_repair_report repairs;
   std::size_t number_of_points = 0;  ///< of a point set
-  std::vector<Vector_3> normals;     ///< of the points, or empty
+  std::vector<Vector3> normals;      ///< of the points, or empty
   std::optional<Skeleton> graph;     ///< if treated as a graph: its vertices are the points
   std::optional<Volume_body> volume; ///< if the mesh is the surface of voxels
   bool is_wrapped = false;           ///< whether the mesh is a wrap around that of the file
@@ -112,7 +112,7 @@ void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::
 
 /// The coordinates that the value of `--root` gives; none if it names a rule.
 /// \pre `check_root()` has accepted it
-std::optional<Vector_3> root_point(const std::string& root);
+std::optional<Vector3> root_point(const std::string& root);
 
 /// The roots that the value of `--root` chooses; none if it is empty.
 /// \throw CSCD::Input_error if they cannot be chosen

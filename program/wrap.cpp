@@ -54,7 +54,7 @@ void wrap_mesh(Input& input, double size)
   constexpr double offset = 1. / 30;
   std::vector<Exact_kernel::Point_3> points;
   CGAL::Bbox_3 box;
-  for (const Vector_3& p : input.points) {
+  for (const Vector3& p : input.points) {
     points.emplace_back(p.x(), p.y(), p.z());
     box += points.back().bbox();
   }

@@ -258,7 +258,7 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   document["openings"] = Json::array();
   for (std::size_t node = 0; node < result.skeleton.is_opening.size(); ++node) {
     if (result.skeleton.is_opening[node] != 0) {
-      const CSCD::Vector_3& point = result.skeleton.points[node];
+      const CSCD::Vector3& point = result.skeleton.points[node];
       document["openings"].push_back(
           {{"node", node}, {"center", {point.x(), point.y(), point.z()}}, {"radius", result.skeleton.radii[node]}});
     }

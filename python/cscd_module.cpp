@@ -20,7 +20,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
 
@@ -58,7 +58,7 @@ using Corners = py::array_t<std::int64_t, py::array::c_style>;
 using Signed_index = std::int32_t;
 static_assert(sizeof(Signed_index) == sizeof(Index) && Signed_index(CSCD::no_index) == -1,
               "NumPy sees the library's indices as signed ones");
-static_assert(sizeof(CSCD::Vector_3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
+static_assert(sizeof(CSCD::Vector3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
               "NumPy sees points and edges as rows");
 
 /// The name of an input in messages.
@@ -67,13 +67,13 @@ const char* name_of(const cscd::Input& input)
   return input.graph ? "graph" : input.is_point_set ? "points" : "mesh";
 }
 
-std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string& name)
+std::vector<CSCD::Vector3> to_points(const Coordinates& rows, const std::string& name)
 {
-  std::vector<CSCD::Vector_3> result;
+  std::vector<CSCD::Vector3> result;
   result.reserve(std::size_t(rows.shape(0)));
   const auto value = rows.unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    const CSCD::Vector_3 point(value(i, 0), value(i, 1), value(i, 2));
+    const CSCD::Vector3 point(value(i, 0), value(i, 1), value(i, 2));
     if (!point.allFinite()) {
       throw CSCD::Input_error(name + ": row " + std::to_string(i) +
                               ": a coordinate is not finite; correct or remove this row");
@@ -137,7 +137,7 @@ cscd::Input make_input(CSCD::Shape_file&& soup, unsigned number_of_threads)
 {
   constexpr bool is_quiet = true;
   constexpr bool keeps_file = false; // only its points are needed
-  std::vector<CSCD::Vector_3> points = soup.points;
+  std::vector<CSCD::Vector3> points = soup.points;
   cscd::Input result = cscd::to_input(std::move(soup), "mesh", is_quiet, keeps_file, number_of_threads);
   result.as_read.points = std::move(points);
   return result;
@@ -349,14 +349,14 @@ py::object rows_or_none(const std::vector<Row>& rows)
 py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
 {
   CSCD::Shape_file soup = to_soup(points, corners);
-  std::vector<CSCD::Surface_loop<CSCD::Vector_3>> loops;
+  std::vector<CSCD::Surface_loop<CSCD::Vector3>> loops;
   {
     const py::gil_scoped_release release;
     cscd::Input mesh = make_input(std::move(soup), 0);
     loops = CSCD::internal::find_surface_loops(std::move(mesh.points), std::move(mesh.faces), seed, min_depth);
   }
   py::list result;
-  for (const CSCD::Surface_loop<CSCD::Vector_3>& loop : loops) {
+  for (const CSCD::Surface_loop<CSCD::Vector3>& loop : loops) {
     result.append(py::make_tuple(name(loop.kind), loop.length, loop.depth, rows_or_none<double>(loop.points)));
   }
   return result;

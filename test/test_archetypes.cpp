@@ -35,7 +35,7 @@ namespace {
 
 using CSCD::Index;
 using CSCD::Triangulated_solid;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::test::Input_descriptor_archetype;
 using CSCD::test::Point_archetype;
 using CSCD::test::Policies_archetype;
@@ -117,9 +117,9 @@ TEST(Archetypes, of_traits_for_the_local_method_step_by_step)
 /// The torus around the z axis with radii 3 and 1.
 TEST(Archetypes, of_surfaces_for_the_published_method)
 {
-  const auto nearest_of_middle = [](const Vector_3& p) {
-    const Vector_3 on_circle = 3 * Vector_3(p.x(), p.y(), 0).stableNormalized();
-    return on_circle.norm() > 0 ? on_circle : Vector_3(3, 0, 0);
+  const auto nearest_of_middle = [](const Vector3& p) {
+    const Vector3 on_circle = 3 * Vector3(p.x(), p.y(), 0).stableNormalized();
+    return on_circle.norm() > 0 ? on_circle : Vector3(3, 0, 0);
   };
   const Surface_archetype torus(CSCD::test::torus(3, 1, 24), nearest_of_middle, 1);
   const Skeletonization_traits_archetype<Surface_archetype> traits(torus);
@@ -150,7 +150,7 @@ TEST(Archetypes, of_surfaces_in_two_components_for_the_published_method)
   const CSCD::test::Shape tube = CSCD::test::tube(length, 1, 20, CSCD::test::Tube_end::flat);
   const Surface_archetype tubes(
       CSCD::test::merged("two tubes", {tube, CSCD::test::translated(tube, {0, 0, 10})}),
-      [length](const Vector_3& p) { return Vector_3(std::clamp(p.x(), 0., length), 0, p.z() < 5 ? 0 : 10); }, 1);
+      [length](const Vector3& p) { return Vector3(std::clamp(p.x(), 0., length), 0, p.z() < 5 ? 0 : 10); }, 1);
   const Skeletonization_traits_archetype<Surface_archetype> traits(tubes);
   CSCD::Curve_skeletonization skeletonization(traits, CSCD::Published_policies());
   skeletonization.set_maximum_number_of_sources(96);
@@ -165,7 +165,7 @@ TEST(Archetypes, of_surfaces_in_two_components_for_the_published_method)
 TEST(Archetypes, of_policies_for_any_surface)
 {
   const Surface_archetype torus(
-      CSCD::test::torus(3, 1, 24), [](const Vector_3& p) { return p; }, 1);
+      CSCD::test::torus(3, 1, 24), [](const Vector3& p) { return p; }, 1);
   const Skeletonization_traits_archetype<Surface_archetype> traits(torus);
   CSCD::Curve_skeletonization skeletonization(traits, Policies_archetype<Surface_archetype>(7));
   Skeleton_archetype skeleton;

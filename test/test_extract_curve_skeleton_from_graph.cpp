@@ -289,7 +289,7 @@ TEST(Graph_skeleton, a_soup_that_is_no_surface_is_accepted)
 TEST(Graph_skeleton, points_are_joined_to_their_nearest_neighbors)
 {
   const Shape shape = CSCD::test::trefoil_knot(0.4, 9);
-  std::vector<CSCD::Vector_3> points;
+  std::vector<CSCD::Vector3> points;
   for (const Triple& p : shape.points) {
     points.emplace_back(p[0], p[1] + 0.01 * std::sin(100 * p[0]), p[2]); // no two at the same distance
   }

@@ -35,7 +35,7 @@ CSCD::Volume make_linked_rings()
   volume.grid.axes[2] = {0, 0, 2};
   volume.grid.origin = {-13, -14.5, -14};
   for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
-    const CSCD::Vector_3 p = volume.grid.point({double(i % 44), double(i / 44 % 30), double(i / 44 / 30)});
+    const CSCD::Vector3 p = volume.grid.point({double(i % 44), double(i / 44 % 30), double(i / 44 / 30)});
     const double from_first = std::hypot(std::hypot(p.x(), p.y()) - ring_radius, p.z());
     const double from_second = std::hypot(std::hypot(p.x() - ring_radius, p.z()) - ring_radius, p.y());
     volume.labels.push_back(from_first < tube_radius ? 1 : from_second < tube_radius ? 2 : 0);
@@ -97,7 +97,7 @@ TEST(extract_curve_skeleton_from_volume, tells_the_node_of_each_voxel)
     if (nodes.labels[i] == 0) {
       continue;
     }
-    const CSCD::Vector_3 p = volume.grid.point({double(i % 44), double(i / 44 % 30), double(i / 44 / 30)});
+    const CSCD::Vector3 p = volume.grid.point({double(i % 44), double(i / 44 % 30), double(i / 44 / 30)});
     const auto& node = skeleton[nodes.labels[i] - 1].point;
     // In the same part of the ring: not farther than a radius and the distance of nodes along it.
     EXPECT_LT(std::hypot(p.x() - node.x(), p.y() - node.y(), p.z() - node.z()), 2 * tube_radius) << i;

@@ -10,7 +10,7 @@
 #include <CSCD/Published/Cut_locus_extraction.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 

@@ -6,7 +6,7 @@
 #include <CSCD/Options.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/skeletonize.h>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@
 namespace {
 
 using CSCD::Index;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using Section = std::vector<std::array<double, 2>>;
 
 constexpr double pi = 3.14159265358979323846;
@@ -79,15 +79,15 @@ Section divided(const Section& section, std::size_t parts)
 }
 
 /// A turn, so that no face is parallel to an axis.
-Vector_3 turned(const Vector_3& p)
+Vector3 turned(const Vector3& p)
 {
-  const Vector_3 q(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z());
+  const Vector3 q(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z());
   return {q.x(), 0.28 * q.y() - 0.96 * q.z(), 0.96 * q.y() + 0.28 * q.z()};
 }
 
 struct Soup
 {
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   std::vector<std::array<Index, 3>> faces;
 };
 
@@ -131,10 +131,10 @@ void expect_axis(const CSCD::Skeleton& skeleton, double radius)
     ++degree[b];
   }
   EXPECT_EQ(std::count(degree.begin(), degree.end(), 1), 2);
-  const Vector_3 axis = turned({0, 0, 1});
+  const Vector3 axis = turned({0, 0, 1});
   double lowest = height;
   double highest = 0;
-  for (const Vector_3& point : skeleton.points) {
+  for (const Vector3& point : skeleton.points) {
     const double along = point.dot(axis);
     EXPECT_LT((point - along * axis).norm(), 0.1 * radius);
     lowest = std::min(lowest, along);

@@ -8,7 +8,7 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Box_tree.h>
 
@@ -45,8 +45,8 @@ public:
   explicit Frame(const Html_page_content& content)
   {
     Bounding_box box;
-    for (const std::vector<Vector_3>* points : {&content.surface.points, &content.skeleton.points}) {
-      for (const Vector_3& point : *points) {
+    for (const std::vector<Vector3>* points : {&content.surface.points, &content.skeleton.points}) {
+      for (const Vector3& point : *points) {
         CGAL_precondition(point.allFinite());
         box.extend(point);
       }
@@ -62,11 +62,11 @@ public:
   /// Center and half extent.
   std::vector<double> numbers() const { return {m_center[0], m_center[1], m_center[2], m_half_extent}; }
 
-  std::vector<float> positions(const std::vector<Vector_3>& points) const
+  std::vector<float> positions(const std::vector<Vector3>& points) const
   {
     std::vector<float> result;
     result.reserve(3 * points.size());
-    for (const Vector_3& point : points) {
+    for (const Vector3& point : points) {
       for (int i = 0; i < 3; ++i) {
         result.push_back(float((point[i] - m_center[i]) / m_half_extent));
       }
@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  Vector_3 m_center = Vector_3::Zero();
+  Vector3 m_center = Vector3::Zero();
   double m_half_extent = 1;
 };
 
@@ -166,11 +166,11 @@ void add_branches(Skeleton skeleton, Json& arrays)
 }
 
 /// Adds the closed curves, one after the other, and the index of the first point of each.
-void add_separators(const std::vector<std::vector<Vector_3>>& separators, const Frame& frame, Json& arrays)
+void add_separators(const std::vector<std::vector<Vector3>>& separators, const Frame& frame, Json& arrays)
 {
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   std::vector<Index> offsets{0};
-  for (const std::vector<Vector_3>& separator : separators) {
+  for (const std::vector<Vector3>& separator : separators) {
     points.insert(points.end(), separator.begin(), separator.end());
     offsets.push_back(Index(points.size()));
   }

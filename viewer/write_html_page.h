@@ -11,7 +11,7 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -29,9 +29,9 @@ bool has_three_js();
 /// The points of a point set, and the repairs of its surface.
 struct Html_page_cloud
 {
-  std::size_t number_of_points = 0;    ///< the first vertices of the mesh are the points; 0 for other meshes
-  std::vector<Vector_3> cut_handles{}; ///< where handles were cut
-  std::vector<Vector_3> joined_gaps{}; ///< where fragments were joined
+  std::size_t number_of_points = 0;   ///< the first vertices of the mesh are the points; 0 for other meshes
+  std::vector<Vector3> cut_handles{}; ///< where handles were cut
+  std::vector<Vector3> joined_gaps{}; ///< where fragments were joined
 };
 
 namespace internal {

@@ -10,7 +10,7 @@
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
@@ -193,11 +193,11 @@ public:
   /// The closed curve of `separator` in the coordinates of the input; the first point does not stand again at the end.
   std::vector<Point> polyline(const Separator& separator) const
   {
-    std::vector<Vector_3> points;
+    std::vector<Vector3> points;
     internal::curve_points(m_traits->surface().triangulation(), separator, points);
     std::vector<Point> result;
     result.reserve(points.size());
-    for (const Vector_3& point : points) {
+    for (const Vector3& point : points) {
       result.push_back(m_traits->to_input_point(point));
     }
     return result;

@@ -11,7 +11,7 @@
 #include <CSCD/Graph_policies.h>
 #include <CSCD/Published/Quotient_skeleton.h>
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/parallel.h>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -106,7 +106,7 @@ private:
   For_each_index<std::unique_ptr<Graph_separator_finder>> m_for_each;
   std::vector<Index> m_sources;
   std::array<std::vector<Index>, round_size> m_found;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
 };
 
 } // namespace CSCD::internal

@@ -12,7 +12,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <memory>

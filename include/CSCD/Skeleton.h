@@ -6,7 +6,7 @@
 #ifndef CSCD_SKELETON_H
 #define CSCD_SKELETON_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <array>
 #include <cstddef>
@@ -18,14 +18,14 @@ namespace CSCD {
 /// measures, readers and writers work on it; a Boost graph is converted at the boundary.
 struct Skeleton
 {
-  std::vector<Vector_3> points;               ///< the positions of the nodes
+  std::vector<Vector3> points;                ///< the positions of the nodes
   std::vector<double> radii{};                ///< mean distance of each node to the surface around it; empty if unknown
   std::vector<std::array<Index, 2>> edges{};  ///< the two nodes of each edge, counted from 0
   std::vector<char> is_joined{};              ///< for each edge, whether it was added to join components
   std::vector<char> is_opening{};             ///< for each node, whether a limb ends there at a border; may be empty
   std::vector<double> significance{};         ///< one for each edge, see `compute_significance()`; may be empty
   std::vector<std::vector<Index>> vertices{}; ///< for each node, the input vertices that belong to it; may be empty
-  std::vector<std::vector<Vector_3>> separators{}; ///< the packed separators as closed polygons; may be empty
+  std::vector<std::vector<Vector3>> separators{}; ///< the packed separators as closed polygons; may be empty
 
   /// The number of nodes.
   std::size_t number_of_nodes() const { return points.size(); }

@@ -7,7 +7,7 @@
 #define CSCD_SKELETON_GRAPH_H
 
 #include <CSCD/Skeleton.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/double.h>

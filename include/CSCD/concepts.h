@@ -13,7 +13,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <iterator>
@@ -66,8 +66,8 @@ constexpr void check_skeletonization_traits()
                 "CSCD: SkeletonizationTraits requires t.surface() const, a const T::Surface&");
   static_assert(CSCD_GIVES(typename T::Input_descriptor, const T&, *std::begin(t.descriptors(Index()))),
                 "CSCD: SkeletonizationTraits requires t.descriptors(v) const, a range of T::Input_descriptor");
-  static_assert(CSCD_GIVES(typename T::Point, const T&, t.to_input_point(Vector_3())),
-                "CSCD: SkeletonizationTraits requires t.to_input_point(Vector_3) const, convertible to T::Point");
+  static_assert(CSCD_GIVES(typename T::Point, const T&, t.to_input_point(Vector3())),
+                "CSCD: SkeletonizationTraits requires t.to_input_point(Vector3) const, convertible to T::Point");
   static_assert(CSCD_GIVES(double, const T&, t.to_input_length(1.)),
                 "CSCD: SkeletonizationTraits requires t.to_input_length(double) const, convertible to double");
   static_assert(CSCD_IS_VALID(const T&, t.describe_input(std::declval<Skeletonization_report&>())),
@@ -88,7 +88,7 @@ constexpr void check_skeletonization_traits()
 /// | `t.origin(h)`, `t.target(h)` | the ends of halfedge `h` |
 /// | `t.twin(h)` | the halfedge from the target of `h` to its origin |
 /// | `t.outgoing(v)` | a range of the halfedges from vertex `v`, in any order |
-/// | `t.points()` | the positions of the vertices: a `const std::vector<Vector_3>&` |
+/// | `t.points()` | the positions of the vertices: a `const std::vector<Vector3>&` |
 /// | `t.length(h)` | the length of halfedge `h` |
 /// | `t.vertex_area(v)` | the area of the surface that belongs to vertex `v` |
 ///
@@ -123,8 +123,8 @@ constexpr void check_surface_triangulation()
                 "CSCD: SurfaceTriangulation requires t.origin(h), t.target(h) and t.twin(h)");
   static_assert(CSCD_GIVES(Index, const T&, *std::begin(t.outgoing(Index()))),
                 "CSCD: SurfaceTriangulation requires t.outgoing(v), a range of halfedges");
-  static_assert(CSCD_GIVES(const std::vector<Vector_3>&, const T&, t.points()),
-                "CSCD: SurfaceTriangulation requires t.points(), a const std::vector<Vector_3>&");
+  static_assert(CSCD_GIVES(const std::vector<Vector3>&, const T&, t.points()),
+                "CSCD: SurfaceTriangulation requires t.points(), a const std::vector<Vector3>&");
   static_assert(CSCD_GIVES(double, const T&, t.length(Index())),
                 "CSCD: SurfaceTriangulation requires t.length(h), convertible to double");
   static_assert(CSCD_GIVES(double, const T&, t.vertex_area(Index())),
@@ -166,11 +166,11 @@ constexpr void check_skeletonization_surface()
       check_surface_triangulation<Triangulation>();
     }
   }
-  static_assert(CSCD_GIVES(bool, const T&, t.is_inside(Vector_3())),
+  static_assert(CSCD_GIVES(bool, const T&, t.is_inside(Vector3())),
                 "CSCD: SkeletonizationSurface requires s.is_inside(p) const, convertible to bool");
-  static_assert(CSCD_GIVES(std::optional<Vector_3>, const T&, t.middle_behind(Vector_3())),
-                "CSCD: SkeletonizationSurface requires s.middle_behind(p) const, an optional Vector_3");
-  static_assert(CSCD_IS_VALID(const T&, t.crossings(Vector_3(), Vector_3(), std::declval<std::vector<double>&>())),
+  static_assert(CSCD_GIVES(std::optional<Vector3>, const T&, t.middle_behind(Vector3())),
+                "CSCD: SkeletonizationSurface requires s.middle_behind(p) const, an optional Vector3");
+  static_assert(CSCD_IS_VALID(const T&, t.crossings(Vector3(), Vector3(), std::declval<std::vector<double>&>())),
                 "CSCD: SkeletonizationSurface requires s.crossings(p, q, v) const, which fills a std::vector<double>");
 }
 

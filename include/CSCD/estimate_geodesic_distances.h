@@ -10,7 +10,7 @@
 #include <CSCD/Published/Prepared_distances.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 

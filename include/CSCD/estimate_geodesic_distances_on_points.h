@@ -10,7 +10,7 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Published/Prepared_distances.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/assertions.h>

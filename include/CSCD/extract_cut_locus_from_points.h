@@ -11,7 +11,7 @@
 #include <CSCD/Published/Cut_locus_extraction.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 

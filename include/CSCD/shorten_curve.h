@@ -13,7 +13,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 

@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <array>
 #include <utility>
@@ -31,11 +31,11 @@ namespace CSCD {
 /// \throw Input_error if the mesh cannot be skeletonized or an option is out of its range; the message names the
 ///        element and the remedy
 /// \throw Cancelled_error if the visitor stops the work
-Skeletonization_report skeletonize(std::vector<Vector_3> points, std::vector<std::array<Index, 3>> faces,
+Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
                                    const Options& options, Any_skeletonization_visitor& visitor, Skeleton& skeleton);
 
 /// The same without a visitor.
-inline Skeletonization_report skeletonize(std::vector<Vector_3> points, std::vector<std::array<Index, 3>> faces,
+inline Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
                                           const Options& options, Skeleton& skeleton)
 {
   Default_skeletonization_visitor nothing;

@@ -55,11 +55,11 @@ inline Skeleton to_input(const Embedded_skeleton& embedded, const Prepared_mesh&
 }
 
 /// The curve of `separator` in the coordinates of the input.
-inline std::vector<Vector_3> to_input(const Separator& separator, const Triangulated_solid& solid)
+inline std::vector<Vector3> to_input(const Separator& separator, const Triangulated_solid& solid)
 {
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   curve_points(solid.triangulation(), separator, points);
-  for (Vector_3& point : points) {
+  for (Vector3& point : points) {
     point = solid.normalization().to_input(point);
   }
   return points;
@@ -69,7 +69,7 @@ inline std::vector<Vector_3> to_input(const Separator& separator, const Triangul
 
 namespace CSCD {
 
-CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector_3> points, std::vector<std::array<Index, 3>> faces,
+CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
                                                const Options& options, Any_skeletonization_visitor& visitor,
                                                Skeleton& skeleton)
 {

@@ -7,7 +7,7 @@
 #define CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/box_intersection_d.h>
 
@@ -142,7 +142,7 @@ public:
   }
 
 private:
-  using Polygon = std::vector<Vector_3>;
+  using Polygon = std::vector<Vector3>;
 
   /// How far a dual loop is pushed outwards where its loop crosses it, relative to the length of the edge.
   static constexpr double push = 1e-3;
@@ -236,13 +236,13 @@ private:
     Polygon result;
     result.reserve(2 * halfedges.size());
     for (const Index h : halfedges) {
-      const Vector_3& a = m_surface.point(m_surface.origin(h));
-      const Vector_3& b = m_surface.point(m_surface.target(h));
+      const Vector3& a = m_surface.point(m_surface.origin(h));
+      const Vector3& b = m_surface.point(m_surface.target(h));
       result.push_back((a + b + m_surface.point(m_surface.opposite_vertex(h))) / 3);
       result.push_back((a + b) / 2);
     }
-    const Vector_3 outwards = m_surface.face_vector(Triangulated_surface::face(edge)).normalized() +
-                              m_surface.face_vector(Triangulated_surface::face(m_surface.twin(edge))).normalized();
+    const Vector3 outwards = m_surface.face_vector(Triangulated_surface::face(edge)).normalized() +
+                             m_surface.face_vector(Triangulated_surface::face(m_surface.twin(edge))).normalized();
     result[1] += push * m_surface.length(edge) * outwards.normalized();
     return result;
   }
@@ -274,7 +274,7 @@ private:
 
   struct Segment
   {
-    std::array<Vector_3, 2> ends;
+    std::array<Vector3, 2> ends;
     Index loop;
   };
 
@@ -283,10 +283,10 @@ private:
   /// Adds the sides of `polygon`, turned to a direction where no two edges of a usual mesh are seen as one.
   static void add_segments(const Polygon& polygon, Index loop, std::vector<Segment>& segments)
   {
-    const Vector_3 x = Vector_3(0.81, 0.37, -0.23).normalized();
-    const Vector_3 y = x.cross(Vector_3(0.39, -0.21, 0.87)).normalized();
-    const Vector_3 z = x.cross(y);
-    const auto turned = [&](const Vector_3& point) { return Vector_3(x.dot(point), y.dot(point), z.dot(point)); };
+    const Vector3 x = Vector3(0.81, 0.37, -0.23).normalized();
+    const Vector3 y = x.cross(Vector3(0.39, -0.21, 0.87)).normalized();
+    const Vector3 z = x.cross(y);
+    const auto turned = [&](const Vector3& point) { return Vector3(x.dot(point), y.dot(point), z.dot(point)); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       segments.push_back({{turned(polygon[i]), turned(polygon[i + 1 < polygon.size() ? i + 1 : 0])}, loop});
     }
@@ -297,8 +297,8 @@ private:
     std::vector<Box> boxes;
     boxes.reserve(segments.size());
     for (const Segment& segment : segments) {
-      const Vector_3 lower = segment.ends[0].cwiseMin(segment.ends[1]);
-      const Vector_3 upper = segment.ends[0].cwiseMax(segment.ends[1]);
+      const Vector3 lower = segment.ends[0].cwiseMin(segment.ends[1]);
+      const Vector3 upper = segment.ends[0].cwiseMax(segment.ends[1]);
       std::array<double, 2> low{lower.x(), lower.y()};
       std::array<double, 2> high{upper.x(), upper.y()};
       boxes.emplace_back(low.data(), high.data(), &segment);
@@ -309,10 +309,10 @@ private:
   /// Whether the segments cross seen along z, and `a` is above `b` there.
   static bool passes_above(const Segment& a, const Segment& b)
   {
-    const Vector_3 u = a.ends[1] - a.ends[0];
-    const Vector_3 v = b.ends[1] - b.ends[0];
-    const Vector_3 w = b.ends[0] - a.ends[0];
-    const auto cross = [](const Vector_3& p, const Vector_3& q) { return p.x() * q.y() - p.y() * q.x(); };
+    const Vector3 u = a.ends[1] - a.ends[0];
+    const Vector3 v = b.ends[1] - b.ends[0];
+    const Vector3 w = b.ends[0] - a.ends[0];
+    const auto cross = [](const Vector3& p, const Vector3& q) { return p.x() * q.y() - p.y() * q.x(); };
     const double denominator = cross(u, v);
     const double s = cross(w, v) / denominator;
     const double t = cross(w, u) / denominator;

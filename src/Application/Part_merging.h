@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_APPLICATION_PART_MERGING_H
 #define CSCD_SRC_APPLICATION_PART_MERGING_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -24,7 +24,7 @@ namespace CSCD::internal {
 /// A slice: connected faces that belong to the same node.
 struct Surface_slice
 {
-  Vector_3 point; ///< of its node
+  Vector3 point; ///< of its node
   double area = 0;
   double log_diameter = 0; ///< mean by area of the logarithm of the shape diameter
   bool is_at_junction = false;
@@ -34,9 +34,9 @@ struct Surface_slice
 struct Part_boundary
 {
   double length = 0;
-  double turning = 0;                 ///< of the surface across the boundary, positive where it is concave, in radians
-  double concave_turning = 0;         ///< the concave part of it alone
-  Vector_3 moment = Vector_3::Zero(); ///< of the midpoints
+  double turning = 0;               ///< of the surface across the boundary, positive where it is concave, in radians
+  double concave_turning = 0;       ///< the concave part of it alone
+  Vector3 moment = Vector3::Zero(); ///< of the midpoints
   double log_diameter = 0;
 
   void add(const Part_boundary& other)
@@ -178,7 +178,7 @@ private:
   /// The mean place of the nodes of a part near a boundary, and the mean logarithm of its diameter there.
   struct Vicinity
   {
-    Vector_3 center = Vector_3::Zero();
+    Vector3 center = Vector3::Zero();
     double log_diameter = 0;
     bool has_junction = false;
   };
@@ -200,7 +200,7 @@ private:
     m_candidates.push({value, first, second, m_parts[first].version, m_parts[second].version});
   }
 
-  Vicinity vicinity(const Part& part, const Vector_3& center, double radius) const
+  Vicinity vicinity(const Part& part, const Vector3& center, double radius) const
   {
     Vicinity result;
     double area = 0;
@@ -231,7 +231,7 @@ private:
     const Part& smaller = is_first_smaller ? first : second;
     const Part& larger = is_first_smaller ? second : first;
     const double length = boundary.length;
-    const Vector_3 center = boundary.moment / length;
+    const Vector3 center = boundary.moment / length;
     const double log_diameter = boundary.log_diameter / length;
     const double radius = std::exp(log_diameter) / 2;
     const Vicinity near_smaller = vicinity(smaller, center, radius);

@@ -21,7 +21,7 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -111,13 +111,13 @@ private:
     m_reached.clear();
     push_off_vertices(m_surface, curve, m_crossings);
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
-      const Vector_3 point = crossing_point(m_surface, m_crossings[i]);
-      const Vector_3 before = crossing_point(m_surface, m_crossings[(i + m_crossings.size() - 1) % m_crossings.size()]);
-      const Vector_3 after = crossing_point(m_surface, m_crossings[(i + 1) % m_crossings.size()]);
+      const Vector3 point = crossing_point(m_surface, m_crossings[i]);
+      const Vector3 before = crossing_point(m_surface, m_crossings[(i + m_crossings.size() - 1) % m_crossings.size()]);
+      const Vector3 after = crossing_point(m_surface, m_crossings[(i + 1) % m_crossings.size()]);
       for (const bool is_left : {false, true}) {
         const Index h = m_crossings[i].halfedge;
         const Index vertex = is_left ? m_surface.target(h) : m_surface.origin(h);
-        const Vector_3& at = m_surface.point(vertex);
+        const Vector3& at = m_surface.point(vertex);
         reach_vertex(vertex, std::min(distance_to_segment(at, before, point), distance_to_segment(at, point, after)),
                      is_left);
       }
@@ -168,8 +168,8 @@ private:
   /// it passes between `a` and `b`; otherwise the greatest number.
   double straight_distance(Index a, Index b, Index to) const
   {
-    const Vector_3 side = m_surface.point(b) - m_surface.point(a);
-    const Vector_3 way = m_surface.point(to) - m_surface.point(a);
+    const Vector3 side = m_surface.point(b) - m_surface.point(a);
+    const Vector3 way = m_surface.point(to) - m_surface.point(a);
     const double length = side.norm();
     const double along = way.dot(side) / length;
     const double across = std::sqrt(std::max(way.squaredNorm() - along * along, 0.));
@@ -243,10 +243,10 @@ private:
     const double level = level_at(bit);
     const auto is_below = [&](Index vertex) { return signed_distance(vertex, step) < level; };
     const auto is_crossed = [&](Index h) { return is_below(m_surface.origin(h)) != is_below(m_surface.target(h)); };
-    const auto point_on = [&](Index h) -> Vector_3 {
+    const auto point_on = [&](Index h) -> Vector3 {
       const double from = signed_distance(m_surface.origin(h), step);
       const double to = signed_distance(m_surface.target(h), step);
-      const Vector_3& point = m_surface.point(m_surface.origin(h));
+      const Vector3& point = m_surface.point(m_surface.origin(h));
       return point + (level - from) / (to - from) * (m_surface.point(m_surface.target(h)) - point);
     };
     const std::array<Index, 3> sides = Triangulated_surface::face_halfedges(face);
@@ -285,7 +285,7 @@ public:
   {
   }
 
-  std::vector<Surface_loop<Vector_3>> operator()(unsigned random_seed, double min_depth)
+  std::vector<Surface_loop<Vector3>> operator()(unsigned random_seed, double min_depth)
   {
     Options settings;
     settings.random_seed = random_seed;
@@ -300,7 +300,7 @@ public:
     if (add_untwisted_loops()) {
       sort_candidates();
     }
-    std::vector<Surface_loop<Vector_3>> result;
+    std::vector<Surface_loop<Vector3>> result;
     for (const Loop_kind kind : {Loop_kind::handle, Loop_kind::tunnel}) {
       for (const Candidate* candidate : independent_loops(kind)) {
         result.push_back(to_loop(kind, *candidate, 0));
@@ -446,9 +446,9 @@ private:
     });
   }
 
-  std::vector<Vector_3> points(const Candidate& candidate) const
+  std::vector<Vector3> points(const Candidate& candidate) const
   {
-    std::vector<Vector_3> result;
+    std::vector<Vector3> result;
     crossing_points(m_surface, candidate.path.points, result);
     return result;
   }
@@ -473,8 +473,8 @@ private:
   /// itself, and no loop need bound anything.
   bool spans_body(const Candidate& candidate) const
   {
-    const std::vector<Vector_3> corners = points(candidate);
-    const auto number_inside = std::count_if(corners.begin(), corners.end(), [&](const Vector_3& point) {
+    const std::vector<Vector3> corners = points(candidate);
+    const auto number_inside = std::count_if(corners.begin(), corners.end(), [&](const Vector3& point) {
       return m_solid.is_inside((point + candidate.measures.center) / 2);
     });
     return double(number_inside) >= min_inside_part * double(corners.size());
@@ -579,7 +579,7 @@ private:
   /// @{
 
   /// Adds loops that separate and cross neither each other nor themselves, the shortest first.
-  void add_constrictions(double min_depth, std::vector<Surface_loop<Vector_3>>& result)
+  void add_constrictions(double min_depth, std::vector<Surface_loop<Vector3>>& result)
   {
     std::vector<const Candidate*> seen;
     Parallel_curves parallel_curves(m_surface);
@@ -607,15 +607,15 @@ private:
     if ((shorter.measures.center - longer.measures.center).norm() > radius) {
       return false;
     }
-    const std::vector<Vector_3> first = points(shorter);
-    const std::vector<Vector_3> second = points(longer);
+    const std::vector<Vector3> first = points(shorter);
+    const std::vector<Vector3> second = points(longer);
     return is_near(first, second, radius) && is_near(second, first, radius);
   }
 
   /// Whether all points of a polygon are within `distance` of `other`.
-  static bool is_near(const std::vector<Vector_3>& polygon, const std::vector<Vector_3>& other, double distance)
+  static bool is_near(const std::vector<Vector3>& polygon, const std::vector<Vector3>& other, double distance)
   {
-    return std::all_of(polygon.begin(), polygon.end(), [&](const Vector_3& point) {
+    return std::all_of(polygon.begin(), polygon.end(), [&](const Vector3& point) {
       for (std::size_t i = 0; i < other.size(); ++i) {
         if (distance_to_segment(point, other[i], other[i + 1 < other.size() ? i + 1 : 0]) <= distance) {
           return true;
@@ -626,7 +626,7 @@ private:
   }
   /// @}
 
-  Surface_loop<Vector_3> to_loop(Loop_kind kind, const Candidate& candidate, double depth) const
+  Surface_loop<Vector3> to_loop(Loop_kind kind, const Candidate& candidate, double depth) const
   {
     return {kind, candidate.measures.length, depth, points(candidate)};
   }
@@ -641,17 +641,17 @@ private:
 
 } // namespace
 
-std::vector<Surface_loop<Vector_3>> find_surface_loops(std::vector<Vector_3> points,
-                                                       std::vector<std::array<Index, 3>> faces, unsigned random_seed,
-                                                       double min_depth)
+std::vector<Surface_loop<Vector3>> find_surface_loops(std::vector<Vector3> points,
+                                                      std::vector<std::array<Index, 3>> faces, unsigned random_seed,
+                                                      double min_depth)
 {
   const Prepared_mesh mesh([&] { return check_triangles(std::move(points), std::move(faces)); },
                            Border_treatment::bridge, 1);
   const Normalization& normalization = mesh.solid().normalization();
-  std::vector<Surface_loop<Vector_3>> loops = Surface_loop_search(mesh.solid())(random_seed, min_depth);
-  for (Surface_loop<Vector_3>& loop : loops) {
+  std::vector<Surface_loop<Vector3>> loops = Surface_loop_search(mesh.solid())(random_seed, min_depth);
+  for (Surface_loop<Vector3>& loop : loops) {
     loop.length *= normalization.unit;
-    for (Vector_3& point : loop.points) {
+    for (Vector3& point : loop.points) {
       point = normalization.to_input(point);
     }
   }

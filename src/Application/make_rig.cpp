@@ -9,7 +9,7 @@
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -125,7 +125,7 @@ public:
   const std::vector<Rig_joint>& joints() const { return m_joints; }
 
   /// \param node the node of `point`
-  Rig::Influences operator()(Index node, const Vector_3& point) const
+  Rig::Influences operator()(Index node, const Vector3& point) const
   {
     Index target = no_index; // the target of the nearest edge; its parent is the source
     double least = 0;
@@ -210,10 +210,10 @@ private:
   }
 
   /// The influences at the place of the edge to `target` that is nearest to `point`.
-  Rig::Influences influences_on(Index target, const Vector_3& point) const
+  Rig::Influences influences_on(Index target, const Vector3& point) const
   {
     const Index source = m_forest.parent(target);
-    const Vector_3 along = m_skeleton.points[target] - m_skeleton.points[source];
+    const Vector3 along = m_skeleton.points[target] - m_skeleton.points[source];
     const double length = along.norm();
     const double behind_source =
         length > 0 ? std::clamp((point - m_skeleton.points[source]).dot(along) / length, 0., length) : 0;
@@ -330,10 +330,10 @@ Skeleton join_components(const Skeleton& skeleton)
 }
 
 /// The largest side of the box of `points`.
-double size_of(const std::vector<Vector_3>& points)
+double size_of(const std::vector<Vector3>& points)
 {
   Bounding_box box;
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     box.extend(point);
   }
   return (box.max() - box.min()).maxCoeff();

@@ -10,7 +10,7 @@
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>
@@ -95,8 +95,8 @@ public:
     normals.reserve(n);
     areas.reserve(n);
     for (const auto& [a, b, c] : surface.triangles.faces) {
-      const std::vector<Vector_3>& points = surface.triangles.points;
-      const Vector_3 normal = triangle_vector(points[a], points[b], points[c]);
+      const std::vector<Vector3>& points = surface.triangles.points;
+      const Vector3 normal = triangle_vector(points[a], points[b], points[c]);
       centers.push_back((points[a] + points[b] + points[c]) / 3);
       normals.push_back(normal.normalized());
       areas.push_back(normal.norm() / 2);
@@ -104,17 +104,17 @@ public:
     }
   }
 
-  const Vector_3& origin(Index halfedge) const
+  const Vector3& origin(Index halfedge) const
   {
     return m_surface.triangles.points[m_surface.triangles.faces[Halfedge_pairing::face(halfedge)][halfedge % 3]];
   }
-  Vector_3 vector(Index halfedge) const { return origin(Halfedge_pairing::next(halfedge)) - origin(halfedge); }
+  Vector3 vector(Index halfedge) const { return origin(Halfedge_pairing::next(halfedge)) - origin(halfedge); }
 
   /// By how much the normal turns across the edge of `halfedge`, in radians; positive where the surface is concave.
   double turning(Index halfedge) const
   {
-    const Vector_3& here = normals[Halfedge_pairing::face(halfedge)];
-    const Vector_3& there = normals[Halfedge_pairing::face(m_surface.pairing.twin(halfedge))];
+    const Vector3& here = normals[Halfedge_pairing::face(halfedge)];
+    const Vector3& there = normals[Halfedge_pairing::face(m_surface.pairing.twin(halfedge))];
     return -std::atan2(here.cross(there).dot(vector(halfedge).normalized()), here.dot(there));
   }
 
@@ -130,8 +130,8 @@ public:
     }
   }
 
-  std::vector<Vector_3> centers;
-  std::vector<Vector_3> normals;
+  std::vector<Vector3> centers;
+  std::vector<Vector3> normals;
   std::vector<double> areas;
   double area = 0; ///< of all faces
 
@@ -280,9 +280,9 @@ private:
   }
 
   /// Adds the turning of the surface across an edge, so far as it turns along `direction`.
-  void add_turning(Index halfedge, const Vector_3& direction, double share, Part_boundary& boundary) const
+  void add_turning(Index halfedge, const Vector3& direction, double share, Part_boundary& boundary) const
   {
-    const Vector_3 edge = m_geometry.vector(halfedge);
+    const Vector3 edge = m_geometry.vector(halfedge);
     const double length = edge.norm();
     const double along = edge.normalized().dot(direction);
     const double turning = m_geometry.turning(halfedge) * length * share * (1 - along * along);
@@ -290,7 +290,7 @@ private:
     boundary.concave_turning += std::max(0., turning);
   }
 
-  Vector_3 direction(Index from, Index to) const
+  Vector3 direction(Index from, Index to) const
   {
     return (m_graph.slices[to].point - m_graph.slices[from].point).normalized();
   }

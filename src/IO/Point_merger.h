@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_IO_POINT_MERGER_H
 #define CSCD_SRC_IO_POINT_MERGER_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 namespace CSCD::internal {
 
 /// Hashes a point by its coordinates; equal points have equal hashes.
-inline std::uint64_t hash_point(const Vector_3& point)
+inline std::uint64_t hash_point(const Vector3& point)
 {
   constexpr std::uint64_t factor = 0x9e3779b97f4a7c15; // 2^64 by the golden ratio, odd: spreads near numbers
   std::uint64_t hash = 0;
@@ -43,7 +43,7 @@ public:
   explicit Point_merger(std::size_t expected) : m_places(first_size, no_index) { m_indices.reserve(expected); }
 
   /// Adds a finite point.
-  void add(const Vector_3& point)
+  void add(const Vector3& point)
   {
     Pending& pending = m_pending[m_number % m_pending.size()];
     if (m_number >= m_pending.size()) {
@@ -58,7 +58,7 @@ public:
 
   /// Hands over the different points, in the order of their first addition, and the index among them of each point that
   /// was added. To be called once, at the end.
-  void move_to(std::vector<Vector_3>& points, std::vector<Index>& indices)
+  void move_to(std::vector<Vector3>& points, std::vector<Index>& indices)
   {
     for (std::size_t i = m_number - std::min(m_number, m_pending.size()); i < m_number; ++i) {
       insert(m_pending[i % m_pending.size()]);
@@ -71,7 +71,7 @@ private:
   /// A point that waits for the memory that its place needs.
   struct Pending
   {
-    Vector_3 point;
+    Vector3 point;
     std::uint64_t hash;
   };
 
@@ -116,7 +116,7 @@ private:
   }
 
   std::vector<Index> m_places; // by hash
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   std::vector<Index> m_indices;
   std::array<Pending, number_of_pending> m_pending;
   std::size_t m_number = 0; // of points that were added
@@ -126,11 +126,11 @@ private:
 /// \param[out] new_index for each old point, its new index
 /// \return the number of points that vanished
 /// \pre the points are finite
-inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector<Index>& new_index)
+inline std::size_t merge_equal_points(std::vector<Vector3>& points, std::vector<Index>& new_index)
 {
   const std::size_t size = points.size();
   Point_merger merger(size);
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     merger.add(point);
   }
   merger.move_to(points, new_index);

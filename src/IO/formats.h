@@ -8,7 +8,7 @@
 
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <cstddef>

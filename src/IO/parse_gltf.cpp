@@ -7,7 +7,7 @@
 #include "IO/formats.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <nlohmann/json.hpp>
 
@@ -34,11 +34,11 @@ namespace {
 /// A linear map and a translation.
 struct Affine_map
 {
-  std::array<Vector_3, 3> columns{Vector_3::UnitX(), Vector_3::UnitY(), Vector_3::UnitZ()};
-  Vector_3 offset{};
+  std::array<Vector3, 3> columns{Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+  Vector3 offset{};
 
-  Vector_3 linear(const Vector_3& v) const { return v.x() * columns[0] + v.y() * columns[1] + v.z() * columns[2]; }
-  Vector_3 operator()(const Vector_3& point) const { return linear(point) + offset; }
+  Vector3 linear(const Vector3& v) const { return v.x() * columns[0] + v.y() * columns[1] + v.z() * columns[2]; }
+  Vector3 operator()(const Vector3& point) const { return linear(point) + offset; }
   /// First `other`, then this.
   Affine_map operator*(const Affine_map& other) const
   {
@@ -71,7 +71,7 @@ public:
     }
     add_scene();
     check_number_of_points(m_shape.points.size(), m_filename);
-    for (const Vector_3& point : m_shape.points) {
+    for (const Vector3& point : m_shape.points) {
       if (!point.allFinite()) {
         fail("a node moves a vertex out of the range of numbers");
       }
@@ -258,14 +258,14 @@ private:
     return result;
   }
 
-  std::vector<Vector_3> points(std::size_t i) const
+  std::vector<Vector3> points(std::size_t i) const
   {
     Number_view coordinates = accessor(i, 3, 'f', "positions are not vectors of floating-point numbers");
-    std::vector<Vector_3> result(coordinates.count);
+    std::vector<Vector3> result(coordinates.count);
     for (int axis = 0; axis < 3; ++axis, coordinates.bytes += coordinates.type.size) {
       coordinates.for_each([&result, axis](std::size_t v, double coordinate) { result[v][axis] = coordinate; });
     }
-    for (const Vector_3& point : result) {
+    for (const Vector3& point : result) {
       if (!point.allFinite()) {
         fail("a position is not finite");
       }
@@ -307,7 +307,7 @@ private:
     if (position == none) {
       return;
     }
-    const std::vector<Vector_3> its_points = points(position);
+    const std::vector<Vector3> its_points = points(position);
     const std::vector<Index> corners = indices(primitive, its_points.size());
     const std::size_t step = mode == triangle_list ? 3 : 1;
     const std::size_t number_of_triangles = corners.size() < 3 ? 0 : (corners.size() - 3) / step + 1;
@@ -346,8 +346,8 @@ private:
   {
     std::array<double, 16> m{};
     if (numbers(node, "matrix", m)) { // column by column
-      return {{Vector_3(m[0], m[1], m[2]), Vector_3(m[4], m[5], m[6]), Vector_3(m[8], m[9], m[10])},
-              Vector_3(m[12], m[13], m[14])};
+      return {{Vector3(m[0], m[1], m[2]), Vector3(m[4], m[5], m[6]), Vector3(m[8], m[9], m[10])},
+              Vector3(m[12], m[13], m[14])};
     }
     std::array<double, 3> t{};
     std::array<double, 4> q{0, 0, 0, 1};
@@ -355,12 +355,12 @@ private:
     numbers(node, "translation", t);
     numbers(node, "rotation", q);
     numbers(node, "scale", s);
-    const Vector_3 axis(q[0], q[1], q[2]);
+    const Vector3 axis(q[0], q[1], q[2]);
     Affine_map result{{}, {t[0], t[1], t[2]}};
     std::size_t i = 0;
-    for (const Vector_3& unit : {Vector_3::UnitX(), Vector_3::UnitY(), Vector_3::UnitZ()}) {
+    for (const Vector3& unit : {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()}) {
       // The rotation by the unit quaternion (axis, w): v + 2 w (axis x v) + 2 axis x (axis x v).
-      const Vector_3 moment = 2 * axis.cross(unit);
+      const Vector3 moment = 2 * axis.cross(unit);
       result.columns[i] = s[i] * (unit + q[3] * moment + axis.cross(moment));
       ++i;
     }

@@ -7,7 +7,7 @@
 #include "IO/formats.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,7 +58,7 @@ void read_off_points(Text_scanner& scanner, std::size_t number, bool has_normals
       scanner.fail_at_end("vertex " + std::to_string(i) + " of " + std::to_string(number));
     }
     shape.points.push_back(scanner.point_in_line(too_few_coordinates));
-    Vector_3 normal = Vector_3::Zero();
+    Vector3 normal = Vector3::Zero();
     for (std::size_t k = 0; has_normals && k < 3; ++k) {
       has_normals = scanner.skip_blanks_in_line();
       normal[k] = has_normals ? scanner.number() : 0;
@@ -122,7 +122,7 @@ void read_binary_stl(Byte_scanner& scanner, const std::string& filename, Point_m
   for (std::size_t i = 0; i < number_of_triangles; ++i) {
     scanner.skip(stl_normal_size);
     for (int corner = 0; corner < 3; ++corner) {
-      const Vector_3 point = scanner.vector<float>();
+      const Vector3 point = scanner.vector<float>();
       if (!point.allFinite()) {
         fail_in_file(filename, "triangle " + std::to_string(i) + " has a coordinate that is not finite",
                      "remove the triangle or write the file again");
@@ -139,7 +139,7 @@ void read_facet(Text_scanner& scanner, Point_merger& points)
   while (scanner.skip_blanks()) {
     const std::string_view word = scanner.word();
     if (word == "vertex") {
-      Vector_3 point = Vector_3::Zero();
+      Vector3 point = Vector3::Zero();
       for (double& coordinate : point) {
         scanner.expect("all coordinates of a vertex");
         coordinate = scanner.coordinate();

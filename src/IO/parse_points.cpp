@@ -7,7 +7,7 @@
 #include "IO/formats.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>
@@ -29,17 +29,17 @@ namespace {
 /// are colors or the like. Normals of another length are set to zero: they are not known.
 void keep_normals_only(Shape_file& shape)
 {
-  std::vector<Vector_3>& normals = shape.normals;
+  std::vector<Vector3>& normals = shape.normals;
   const bool has_columns = !normals.empty();
   constexpr double tolerance = 0.01; // normals are written with few digits
   std::size_t number_of_unit_length = 0;
   bool do_differ = false;
-  for (Vector_3& normal : normals) {
+  for (Vector3& normal : normals) {
     if (std::abs(normal.norm() - 1) <= tolerance) {
       ++number_of_unit_length;
       do_differ = do_differ || normal != normals.front();
     } else {
-      normal = Vector_3::Zero();
+      normal = Vector3::Zero();
     }
   }
   if (2 * number_of_unit_length <= normals.size() || !do_differ) {
@@ -231,7 +231,7 @@ Shape_file parse_point_table(std::string_view content, const std::string& filena
   Shape_file shape;
   bool has_normals = columns.has_normals();
   const auto add_point = [&](const std::vector<std::string_view>& fields) {
-    Vector_3 point;
+    Vector3 point;
     for (std::size_t i = 0; i < 3; ++i) {
       if (columns.places[i] >= fields.size()) {
         scanner.fail("a point has fewer than three coordinates");
@@ -246,7 +246,7 @@ Shape_file parse_point_table(std::string_view content, const std::string& filena
       point[i] = *number;
     }
     shape.points.push_back(point);
-    Vector_3 normal;
+    Vector3 normal;
     for (std::size_t i = 3; has_normals && i < 6; ++i) {
       const std::size_t place = columns.places[i];
       const std::optional<double> number = place < fields.size() ? to_number(fields[place]) : std::nullopt;
@@ -294,13 +294,13 @@ Shape_file parse_pcd(std::string_view content, const std::string& filename, unsi
   std::vector<double> numbers(header.fields.size());
   const auto add = [&] {
     const auto vector = [&](std::size_t k) {
-      return Vector_3(numbers[header.places[k]], numbers[header.places[k + 1]], numbers[header.places[k + 2]]);
+      return Vector3(numbers[header.places[k]], numbers[header.places[k + 1]], numbers[header.places[k + 2]]);
     };
-    if (const Vector_3 point = vector(0); point.allFinite()) {
+    if (const Vector3 point = vector(0); point.allFinite()) {
       shape.points.push_back(point);
       if (header.has_normals()) {
-        const Vector_3 normal = vector(3);
-        shape.normals.push_back(normal.allFinite() ? normal : Vector_3::Zero());
+        const Vector3 normal = vector(3);
+        shape.normals.push_back(normal.allFinite() ? normal : Vector3::Zero());
       }
     }
   };
@@ -366,8 +366,8 @@ Shape_file parse_las(std::string_view content, const std::string& filename, unsi
     number_of_points = scanner_at(large_number_at).number<std::uint64_t>();
   }
   Byte_scanner transform = scanner_at(scale_at);
-  const Vector_3 scale = transform.vector<double>();
-  const Vector_3 offset = transform.vector<double>();
+  const Vector3 scale = transform.vector<double>();
+  const Vector3 offset = transform.vector<double>();
   const std::size_t size_of_data = content.size() - std::min(data_offset, content.size());
   if (point_size < min_point_size || number_of_points > size_of_data / point_size) {
     fail_in_file(filename, "the file ends before all points that its header promises",
@@ -378,7 +378,7 @@ Shape_file parse_las(std::string_view content, const std::string& filename, unsi
   shape.points.reserve(number_of_points);
   Byte_scanner scanner = scanner_at(data_offset);
   for (std::uint64_t i = 0; i < number_of_points; ++i) {
-    Vector_3 point = scanner.vector<std::int32_t>();
+    Vector3 point = scanner.vector<std::int32_t>();
     for (int axis = 0; axis < 3; ++axis) {
       point[axis] = point[axis] * scale[axis] + offset[axis];
     }

@@ -6,7 +6,7 @@
 #include "IO/formats.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/unordered_map.hpp>
 #include <nlohmann/json.hpp>
@@ -27,7 +27,7 @@ using Json = nlohmann::json;
 
 constexpr const char* remedy_of_file = "correct or write the file again";
 
-Vector_3 next_point(Text_scanner& scanner)
+Vector3 next_point(Text_scanner& scanner)
 {
   return scanner.point_in_line("a node has too few coordinates");
 }
@@ -75,7 +75,7 @@ Shape_file parse_polylines(std::string_view content, const std::string& filename
   boost::unordered_map<std::array<double, 3>, std::int64_t> nodes;
   const auto next_node = [&] {
     scanner.expect("the last point of a poly-line");
-    const Vector_3 point = next_point(scanner) + Vector_3::Zero(); // makes -0 equal to 0
+    const Vector3 point = next_point(scanner) + Vector3::Zero(); // makes -0 equal to 0
     const auto [place, is_new] =
         nodes.try_emplace({point.x(), point.y(), point.z()}, std::int64_t(shape.points.size()));
     if (is_new) {
@@ -117,7 +117,7 @@ Shape_file parse_swc(std::string_view content, const std::string& filename, unsi
   const auto read_node = [&] {
     const std::int64_t id = next_integer(scanner, identifier);
     next_integer(scanner, "the type of a node");
-    const Vector_3 point = next_point(scanner);
+    const Vector3 point = next_point(scanner);
     scanner.expect_in_line("a node has too few coordinates");
     shape.radii.push_back(scanner.coordinate());
     const std::int64_t parent = next_integer(scanner, "the parent of a node");
@@ -182,7 +182,7 @@ Shape_file parse_json_skeleton(std::string_view content, const std::string& file
     const std::string name = "node " + std::to_string(shape.points.size());
     check(node.is_object() && node.contains("point") && node["point"].is_array() && node["point"].size() == 3,
           name + " does not have a point of three numbers");
-    Vector_3& point = shape.points.emplace_back();
+    Vector3& point = shape.points.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       check(node["point"][i].is_number(), name + " has a coordinate that is not a number");
       point[i] = node["point"][i].get<double>();

@@ -7,7 +7,7 @@
 #include "IO/formats.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/join.hpp>

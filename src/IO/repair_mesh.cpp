@@ -11,7 +11,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -148,7 +148,7 @@ private:
   /// Looks for a corner that sees the whole polygon, as all corners of a convex one do.
   bool triangulate_as_fan()
   {
-    Vector_3 normal = Vector_3::Zero();
+    Vector3 normal = Vector3::Zero();
     for (std::size_t i = 1; i + 1 < m_size; ++i) {
       normal += (point(i) - point(0)).cross(point(i + 1) - point(0));
     }
@@ -162,11 +162,11 @@ private:
     return false;
   }
 
-  bool is_fan_unfolded(std::size_t apex, const Vector_3& normal) const
+  bool is_fan_unfolded(std::size_t apex, const Vector3& normal) const
   {
     for (std::size_t i = 1; i + 1 < m_size; ++i) {
-      const Vector_3 a = point((apex + i) % m_size) - point(apex);
-      const Vector_3 b = point((apex + i + 1) % m_size) - point(apex);
+      const Vector3 a = point((apex + i) % m_size) - point(apex);
+      const Vector3 b = point((apex + i + 1) % m_size) - point(apex);
       if (!(a.cross(b).dot(normal) > 0)) {
         return false;
       }
@@ -181,7 +181,7 @@ private:
     }
     std::vector<Kernel::Point_3> points;
     for (std::size_t i = 0; i < m_size; ++i) {
-      const Vector_3& p = point(i);
+      const Vector3& p = point(i);
       points.emplace_back(p.x(), p.y(), p.z());
     }
     std::vector<CGAL::Triple<int, int, int>> triangles;
@@ -198,7 +198,7 @@ private:
     return true;
   }
 
-  const Vector_3& point(std::size_t corner) const { return m_soup.points[m_corners[corner]]; }
+  const Vector3& point(std::size_t corner) const { return m_soup.points[m_corners[corner]]; }
 
   const Shape_file& m_soup;
   std::vector<std::array<Index, 3>>& m_triangles;
@@ -249,7 +249,7 @@ struct Cgal_soup
   explicit Cgal_soup(const Indexed_triangles& soup)
   {
     points.reserve(soup.points.size());
-    for (const Vector_3& p : soup.points) {
+    for (const Vector3& p : soup.points) {
       points.emplace_back(p.x(), p.y(), p.z());
     }
     polygons.reserve(soup.faces.size());
@@ -379,10 +379,10 @@ Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filen
   return result;
 }
 
-std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector_3>& points,
+std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector3>& points,
                                      const std::vector<std::array<Index, 3>>& faces)
 {
-  std::vector<Vector_3> places = file.points;
+  std::vector<Vector3> places = file.points;
   places.insert(places.end(), points.begin(), points.end());
   std::vector<Index> place; // for the points of the file, then for those of the mesh
   merge_equal_points(places, place);

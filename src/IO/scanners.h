@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_IO_SCANNERS_H
 #define CSCD_SRC_IO_SCANNERS_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -137,9 +137,9 @@ public:
 
   /// Reads three numbers. \throw File_error if the data end before
   template <class Number>
-  Vector_3 vector()
+  Vector3 vector()
   {
-    Vector_3 result = Vector_3::Zero();
+    Vector3 result = Vector3::Zero();
     for (double& coordinate : result) {
       coordinate = double(number<Number>());
     }
@@ -373,9 +373,9 @@ public:
   /// Reads three finite numbers of this line.
   /// \param too_few the message if there are fewer
   /// \throw File_error if there are fewer, or one that is not finite
-  Vector_3 point_in_line(const char* too_few, const char* remedy = correct_line)
+  Vector3 point_in_line(const char* too_few, const char* remedy = correct_line)
   {
-    Vector_3 point = Vector_3::Zero();
+    Vector3 point = Vector3::Zero();
     for (double& number : point) {
       expect_in_line(too_few, remedy);
       number = coordinate();

@@ -10,7 +10,7 @@
 #include "IO/formats.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/Volume/Voxel_surface.h>
 
 #include <boost/algorithm/string/erase.hpp>
@@ -128,10 +128,10 @@ public:
 
   /// Vectors, one after the other. \throw File_error if there are not exactly the numbers of as many, all finite
   template <std::size_t size>
-  std::array<Vector_3, size> vectors(const std::string& text, const std::string& name) const
+  std::array<Vector3, size> vectors(const std::string& text, const std::string& name) const
   {
     const std::array<double, 3 * size> v = numbers<3 * size>(text, name);
-    std::array<Vector_3, size> result;
+    std::array<Vector3, size> result;
     for (std::size_t i = 0; i < size; ++i) {
       result[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
     }
@@ -225,7 +225,7 @@ inline Number_type nrrd_type(const std::string& filename, const std::string& its
   return {'f', name == "float" ? sizeof(float) : sizeof(double)};
 }
 
-inline void scale_axes(Volume_grid& grid, const Vector_3& spacing)
+inline void scale_axes(Volume_grid& grid, const Vector3& spacing)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     grid.axes[axis] *= spacing[axis];

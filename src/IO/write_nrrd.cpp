@@ -5,7 +5,7 @@
 
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/internal/Box_tree.h>
 
@@ -33,7 +33,7 @@ std::string nrrd_header(const Volume_grid& grid)
   std::ostringstream out;
   out.imbue(std::locale::classic());
   out.precision(std::numeric_limits<double>::max_digits10);
-  const auto vector = [&out](const Vector_3& v) -> std::ostream& {
+  const auto vector = [&out](const Vector3& v) -> std::ostream& {
     return out << '(' << v.x() << ',' << v.y() << ',' << v.z() << ')';
   };
   out << "NRRD0004\ntype: uint32\ndimension: 3\nspace dimension: 3\nsizes: " << grid.size[0] << ' ' << grid.size[1]
@@ -58,7 +58,7 @@ class Nearest_vertex_search
 {
 public:
   /// \param points of the surface, which outlive the search
-  explicit Nearest_vertex_search(const std::vector<Vector_3>& points) : m_points(points)
+  explicit Nearest_vertex_search(const std::vector<Vector3>& points) : m_points(points)
   {
     std::vector<internal::Bounding_box> boxes(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -68,7 +68,7 @@ public:
   }
 
   /// The vertex nearest to `point`; fast if it is near the one of the call before.
-  Index nearest(const Vector_3& point)
+  Index nearest(const Vector3& point)
   {
     double least = (m_points[m_last] - point).squaredNorm();
     const auto bound = [&](const internal::Bounding_box& box) {
@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   internal::Box_tree m_tree;
   Index m_last = 0;
 };
@@ -121,7 +121,7 @@ void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vect
       const auto found = labels[i] == 0 ? surface_of_label.end() : surface_of_label.find(labels[i]);
       const bool has_node = found != surface_of_label.end();
       const std::size_t y = i / grid.size[0];
-      const Vector_3 point = grid.point({double(i % grid.size[0]), double(y), double(z)});
+      const Vector3 point = grid.point({double(i % grid.size[0]), double(y), double(z)});
       labels[i] = has_node ? node_of_vertex[found->second][searches[found->second].nearest(point)] : 0;
     }
     write_nrrd_labels(out, labels);

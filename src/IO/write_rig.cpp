@@ -8,7 +8,7 @@
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_rig.h>
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
 
@@ -80,7 +80,7 @@ private:
     if (m_rig.joints.size() > std::numeric_limits<std::uint16_t>::max()) {
       throw Input_error("glTF holds 65,535 joints, but the rig has more; simplify the skeleton");
     }
-    for (const Vector_3& point : m_surface.points) {
+    for (const Vector3& point : m_surface.points) {
       if (!(point.cwiseAbs().maxCoeff() <= double(std::numeric_limits<float>::max()))) {
         throw Input_error("a coordinate is too large for glTF, which is of single precision; scale the mesh");
       }
@@ -113,7 +113,7 @@ private:
 
   static std::size_t node_of_joint(std::size_t joint) { return joint + 1; } // the first one is the mesh
 
-  static Json to_json(const Vector_3& vector) { return {float(vector.x()), float(vector.y()), float(vector.z())}; }
+  static Json to_json(const Vector3& vector) { return {float(vector.x()), float(vector.y()), float(vector.z())}; }
 
   void add_nodes(const std::string& name)
   {
@@ -122,7 +122,7 @@ private:
     Json roots = Json::array();
     for (std::size_t j = 0; j < m_rig.joints.size(); ++j) {
       const Rig_joint& joint = m_rig.joints[j];
-      const Vector_3 offset = joint.parent ? joint.point - m_rig.joints[*joint.parent].point : joint.point;
+      const Vector3 offset = joint.parent ? joint.point - m_rig.joints[*joint.parent].point : joint.point;
       nodes.push_back({{"name", CSCD::name(joint)}, {"translation", to_json(offset)}});
       (joint.parent ? nodes[node_of_joint(*joint.parent)]["children"] : roots).push_back(node_of_joint(j));
     }
@@ -156,10 +156,10 @@ private:
     return m_document["accessors"].size() - 1;
   }
 
-  std::size_t add_vectors(const std::vector<Vector_3>& vectors)
+  std::size_t add_vectors(const std::vector<Vector3>& vectors)
   {
     return add_view<float>(vertex_target, float_type, "VEC3", vectors.size(), [&](const auto& add) {
-      for (const Vector_3& vector : vectors) {
+      for (const Vector3& vector : vectors) {
         std::for_each(vector.begin(), vector.end(), add);
       }
     });
@@ -168,9 +168,9 @@ private:
   std::size_t add_positions()
   {
     const std::size_t accessor = add_vectors(m_surface.points);
-    Vector_3 least = m_surface.points.front();
-    Vector_3 greatest = least;
-    for (const Vector_3& point : m_surface.points) {
+    Vector3 least = m_surface.points.front();
+    Vector3 greatest = least;
+    for (const Vector3& point : m_surface.points) {
       least = least.cwiseMin(point);
       greatest = greatest.cwiseMax(point);
     }
@@ -182,17 +182,17 @@ private:
   /// Means of the normals of the faces at the vertices, by their areas.
   std::size_t add_normals()
   {
-    std::vector<Vector_3> normals(m_surface.points.size());
+    std::vector<Vector3> normals(m_surface.points.size());
     for (const auto& [a, b, c] : m_surface.triangles) {
-      const Vector_3 normal = triangle_vector(m_surface.points[a], m_surface.points[b], m_surface.points[c]);
+      const Vector3 normal = triangle_vector(m_surface.points[a], m_surface.points[b], m_surface.points[c]);
       for (const Index corner : {a, b, c}) {
         normals[corner] += normal;
       }
     }
-    for (Vector_3& normal : normals) {
+    for (Vector3& normal : normals) {
       normal.normalize();
       // Without area, or too small or large to tell: any direction will do.
-      normal = normal.allFinite() && std::abs(normal.squaredNorm() - 1) < 1e-6 ? normal : Vector_3::UnitZ();
+      normal = normal.allFinite() && std::abs(normal.squaredNorm() - 1) < 1e-6 ? normal : Vector3::UnitZ();
     }
     return add_vectors(normals);
   }
@@ -225,7 +225,7 @@ private:
   {
     return add_view<float>(no_target, float_type, "MAT4", m_rig.joints.size(), [&](const auto& add) {
       for (const Rig_joint& joint : m_rig.joints) {
-        const Vector_3& p = joint.point;
+        const Vector3& p = joint.point;
         for (const double element : {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -p.x(), -p.y(), -p.z(), 1.}) {
           add(element);
         }

@@ -11,7 +11,7 @@
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/split_into_branches.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/range/iterator_range_core.hpp>
 #include <nlohmann/json.hpp>
@@ -40,7 +40,7 @@ double finite_significance(double significance)
 }
 
 /// Writes a position as `x y z`.
-void write_coordinates(std::ostream& out, const Vector_3& point)
+void write_coordinates(std::ostream& out, const Vector3& point)
 {
   out << point.x() << ' ' << point.y() << ' ' << point.z();
 }
@@ -135,7 +135,7 @@ nlohmann::ordered_json json_branches(const std::vector<Skeleton_branch>& branche
 void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
   internal::Exact_format format(out);
-  for (const Vector_3& point : skeleton.points) {
+  for (const Vector3& point : skeleton.points) {
     out << "n ";
     internal::write_coordinates(out, point);
     out << '\n';
@@ -152,7 +152,7 @@ void write_json(std::ostream& out, const internal::Skeleton_content& skeleton)
   nlohmann::ordered_json document{{"nodes", nlohmann::ordered_json::array()},
                                   {"edges", nlohmann::ordered_json::array()}};
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
-    const Vector_3& point = skeleton.points[v];
+    const Vector3& point = skeleton.points[v];
     nlohmann::ordered_json node{{"point", std::array<double, 3>{point.x(), point.y(), point.z()}}};
     if (skeleton.has_radius) {
       node["radius"] = skeleton.radii[v];
@@ -185,7 +185,7 @@ void write_json(std::ostream& out, const internal::Skeleton_content& skeleton)
 void write_obj(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
   internal::Exact_format format(out);
-  for (const Vector_3& point : skeleton.points) {
+  for (const Vector3& point : skeleton.points) {
     out << "v ";
     internal::write_coordinates(out, point);
     out << '\n';
@@ -307,7 +307,7 @@ void write_vtp(std::ostream& out, const internal::Skeleton_content& skeleton)
   }
   out << "</CellData>\n<Points>\n";
   internal::write_vtp_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", skeleton.points,
-                            [&out](const Vector_3& point) { internal::write_coordinates(out, point); });
+                            [&out](const Vector3& point) { internal::write_coordinates(out, point); });
   out << "</Points>\n";
   internal::write_vtp_cells(out, "Verts", branches, numbers.begin(), lines);
   internal::write_vtp_cells(out, "Lines", branches, lines, numbers.end());

@@ -12,7 +12,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,15 +58,15 @@ std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_verte
   return result;
 }
 
-std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
-                                    const std::vector<Vector_3>& points_of_mesh, const std::vector<char>& is_known)
+std::vector<Index> vertices_of_file(const std::vector<Vector3>& points_of_file,
+                                    const std::vector<Vector3>& points_of_mesh, const std::vector<char>& is_known)
 {
   std::vector<Index> result(points_of_file.size());
   if (points_of_file == points_of_mesh) { // not repaired: points at the same place may be different vertices
     std::iota(result.begin(), result.end(), Index(0));
     return result;
   }
-  std::vector<Vector_3> places = points_of_file;
+  std::vector<Vector3> places = points_of_file;
   places.insert(places.end(), points_of_mesh.begin(), points_of_mesh.end());
   std::vector<Index> place; // for the points of the file, then for those of the mesh
   merge_equal_points(places, place);
@@ -80,8 +80,8 @@ std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
   return result;
 }
 
-std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
-                                         const std::vector<Vector_3>& points_of_mesh,
+std::vector<Vertex_label> labels_of_file(const std::vector<Vector3>& points_of_file,
+                                         const std::vector<Vector3>& points_of_mesh,
                                          const std::vector<Vertex_label>& labels)
 {
   std::vector<char> is_known;
@@ -105,7 +105,7 @@ void write_node_table(std::ostream& out, const internal::Skeleton_content& skele
   out << "node,x,y,z,degree,branch,radius,number_of_sites,inscribed_radius,section_area\n";
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
     const Node_measures measured = measures.empty() ? Node_measures() : measures[v];
-    const Vector_3& point = skeleton.points[v];
+    const Vector3& point = skeleton.points[v];
     out << v << ',' << point.x() << ',' << point.y() << ',' << point.z() << ',' << neighbors[v].size() << ','
         << branches.branch_of_node[v];
     internal::write_field(out, skeleton.has_radii() ? skeleton.radii[v] : Skeleton_branch::unknown);
@@ -150,7 +150,7 @@ void write_cylinders(std::ostream& out, const std::vector<Tree_cylinder>& cylind
   const auto from_one = [](const std::optional<std::size_t>& index) { return index ? *index + 1 : 0; };
   for (const Tree_cylinder& cylinder : cylinders) {
     out << cylinder.radius << ',' << cylinder.length;
-    for (const Vector_3& vector : {cylinder.start, cylinder.axis}) {
+    for (const Vector3& vector : {cylinder.start, cylinder.axis}) {
       out << ',' << vector.x() << ',' << vector.y() << ',' << vector.z();
     }
     out << ',' << from_one(cylinder.parent) << ',' << from_one(cylinder.extension) << ',' << cylinder.limb + 1 << ','

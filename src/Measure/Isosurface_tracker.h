@@ -10,7 +10,7 @@
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
@@ -47,7 +47,7 @@ public:
 
   /// Follows the surfaces that the lattice line along `axis` meets first on either side of `point`.
   /// \return whether a lattice point near `point` is inside; if not, the field is too thin there for the lattice
-  bool track_around(const Vector_3& point, int axis)
+  bool track_around(const Vector3& point, int axis)
   {
     const Cell cell = cell_of(point);
     int k = 0;
@@ -91,7 +91,7 @@ private:
     return (Key(cell[0] + bias) << 40) | (Key(cell[1] + bias) << 20) | Key(cell[2] + bias);
   }
 
-  Cell cell_of(const Vector_3& point) const
+  Cell cell_of(const Vector3& point) const
   {
     Cell cell{};
     for (int i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ private:
   {
     return {cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2 & 1)};
   }
-  Vector_3 position(const Cell& cell) const { return m_cell_size * Vector_3(cell[0], cell[1], cell[2]); }
+  Vector3 position(const Cell& cell) const { return m_cell_size * Vector3(cell[0], cell[1], cell[2]); }
 
   double value(const Cell& cell)
   {
@@ -298,11 +298,11 @@ Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, do
       if (tracker.is_too_large()) {
         break;
       }
-      const Vector_3 lengths = sample.tangent.cwiseAbs();
+      const Vector3 lengths = sample.tangent.cwiseAbs();
       const auto axis = int(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
       number_unresolved += tracker.track_around(sample.point, axis) ? 0 : 1;
     }
-    for (const Vector_3& point : skeleton.points) { // nodes without edges, and edges shorter than a cell
+    for (const Vector3& point : skeleton.points) { // nodes without edges, and edges shorter than a cell
       if (!tracker.is_too_large()) {
         tracker.track_around(point, 0);
       }

@@ -6,7 +6,7 @@
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -179,7 +179,7 @@ std::vector<Index> find_roots(const Skeleton& skeleton, Root_rule rule)
   return result;
 }
 
-std::vector<Index> find_roots(const Skeleton& skeleton, const Vector_3& point)
+std::vector<Index> find_roots(const Skeleton& skeleton, const Vector3& point)
 {
   return least_nodes(Rooted_forest(skeleton),
                      [&](Index node) { return (skeleton.points[node] - point).squaredNorm(); });

@@ -9,7 +9,7 @@
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -164,7 +164,7 @@ public:
         m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size()),
         m_node_of_face(nodes_of_faces(surface))
   {
-    for (const Vector_3& point : surface.points) {
+    for (const Vector3& point : surface.points) {
       m_origin += point / double(surface.points.size());
     }
     find_anchors();
@@ -212,7 +212,7 @@ private:
       return;
     }
     m_borders = Disjoint_sets(m_surface.points.size());
-    m_middle.assign(m_surface.points.size(), Vector_3::Zero());
+    m_middle.assign(m_surface.points.size(), Vector3::Zero());
     std::vector<double> number(m_surface.points.size(), 0);
     std::vector<Index> border;
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
@@ -232,7 +232,7 @@ private:
 
   Index origin(Index halfedge) const { return m_surface.triangles[halfedge / 3][halfedge % 3]; }
 
-  double tetrahedron(const Vector_3& a, const Vector_3& b, const Vector_3& c) const
+  double tetrahedron(const Vector3& a, const Vector3& b, const Vector3& c) const
   {
     return (a - m_origin).cross(b - m_origin).dot(c - m_origin) / 6;
   }
@@ -241,12 +241,12 @@ private:
   double add_face(std::size_t face)
   {
     const auto& [a, b, c] = m_surface.triangles[face];
-    const std::array<Vector_3, 3> corners{m_surface.points[a], m_surface.points[b], m_surface.points[c]};
+    const std::array<Vector3, 3> corners{m_surface.points[a], m_surface.points[b], m_surface.points[c]};
     Skeleton_branch& branch = m_branches[m_branch_of_node[m_node_of_face[face]]];
     branch.surface_area += triangle_area(corners[0], corners[1], corners[2]);
     double volume = tetrahedron(corners[0], corners[1], corners[2]);
     for (Index side = 0; side < 3; ++side) {
-      if (const std::optional<Vector_3> apex = apex_behind(Index(3 * face + side))) {
+      if (const std::optional<Vector3> apex = apex_behind(Index(3 * face + side))) {
         volume += tetrahedron(corners[(side + 1) % 3], corners[side], *apex);
       }
     }
@@ -255,7 +255,7 @@ private:
   }
 
   /// The apex of the cone that closes the part of a face at one of its sides; nothing if the part goes on there.
-  std::optional<Vector_3> apex_behind(Index halfedge)
+  std::optional<Vector3> apex_behind(Index halfedge)
   {
     const Index node = m_node_of_face[halfedge / 3];
     const Index twin = m_pairing.twin(halfedge);
@@ -278,10 +278,10 @@ private:
   const std::vector<Index>& m_branch_of_node;
   Halfedge_pairing m_pairing;
   std::vector<Index> m_node_of_face;
-  Vector_3 m_origin = Vector_3::Zero(); ///< near the surface, so that volumes do not cancel
-  std::vector<Index> m_anchor;          ///< of each node
-  Disjoint_sets m_borders;              ///< of vertices
-  std::vector<Vector_3> m_middle;
+  Vector3 m_origin = Vector3::Zero(); ///< near the surface, so that volumes do not cancel
+  std::vector<Index> m_anchor;        ///< of each node
+  Disjoint_sets m_borders;            ///< of vertices
+  std::vector<Vector3> m_middle;
 };
 
 /// The section of faces by a plane: segments, which are joined to curves where they meet on an edge of the surface.
@@ -289,7 +289,7 @@ class Face_section
 {
 public:
   /// The plane through `center` perpendicular to `normal`, of unit length.
-  Face_section(const Assigned_surface& surface, const Vector_3& center, const Vector_3& normal)
+  Face_section(const Assigned_surface& surface, const Vector3& center, const Vector3& normal)
       : m_surface(surface), m_center(center), m_normal(normal)
   {
   }
@@ -318,8 +318,8 @@ public:
     std::vector<Curve> curves(m_places.size());
     for (const auto& [source, target] : m_segments) {
       Curve& curve = curves[m_curves.find(source)];
-      const Vector_3& p = m_places[source];
-      const Vector_3& q = m_places[target];
+      const Vector3& p = m_places[source];
+      const Vector3& q = m_places[target];
       const double twice_area = p.cross(q).dot(m_normal);
       curve.area += twice_area / 2;
       curve.angle += std::atan2(twice_area, p.dot(q));
@@ -364,10 +364,10 @@ private:
   }
 
   const Assigned_surface& m_surface;
-  Vector_3 m_center;
-  Vector_3 m_normal;
+  Vector3 m_center;
+  Vector3 m_normal;
   boost::unordered_map<std::pair<Index, Index>, Index> m_place_on_edge;
-  std::vector<Vector_3> m_places;
+  std::vector<Vector3> m_places;
   std::vector<std::array<Index, 2>> m_segments;
   Disjoint_sets m_curves; ///< of places
 };
@@ -393,8 +393,8 @@ public:
   Node_measures operator()(Index node)
   {
     find_near_nodes(node);
-    const Vector_3& center = m_skeleton.points[node];
-    const Vector_3 direction = direction_at(node);
+    const Vector3& center = m_skeleton.points[node];
+    const Vector3 direction = direction_at(node);
     Face_section section(m_surface, center, direction);
     double least = std::numeric_limits<double>::infinity(); // squared distance
     for (const Index near : m_near) {
@@ -403,7 +403,7 @@ public:
           continue;
         }
         least = std::min(least, squared_distance(center, face));
-        if (direction != Vector_3::Zero()) {
+        if (direction != Vector3::Zero()) {
           section.add(face);
         }
       }
@@ -442,19 +442,19 @@ private:
   }
 
   /// Along the skeleton, unit length; zero at junctions and isolated nodes.
-  Vector_3 direction_at(Index node) const
+  Vector3 direction_at(Index node) const
   {
     const std::vector<Index>& neighbors = m_neighbors[node];
     if (neighbors.empty() || neighbors.size() > 2) {
-      return Vector_3::Zero();
+      return Vector3::Zero();
     }
-    const Vector_3& from = neighbors.size() == 2 ? m_skeleton.points[neighbors[1]] : m_skeleton.points[node];
+    const Vector3& from = neighbors.size() == 2 ? m_skeleton.points[neighbors[1]] : m_skeleton.points[node];
     return (m_skeleton.points[neighbors[0]] - from).normalized();
   }
 
-  double squared_distance(const Vector_3& point, Index face) const
+  double squared_distance(const Vector3& point, Index face) const
   {
-    const auto to_point = [](const Vector_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+    const auto to_point = [](const Vector3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
     const auto& [a, b, c] = m_surface.triangles[face];
     const Kernel::Triangle_3 triangle(to_point(m_surface.points[a]), to_point(m_surface.points[b]),
                                       to_point(m_surface.points[c]));

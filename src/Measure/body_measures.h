@@ -12,7 +12,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -41,19 +41,18 @@ struct Ray_star
 /// Casts rays from `point`, evenly spread in the plane across `tangent`, to where they first meet the surface.
 /// \return nothing if less than half of them meet it
 /// \pre `tangent` has unit length
-inline std::optional<Ray_star> cast_ray_star(const Solid_queries& queries, const Vector_3& point,
-                                             const Vector_3& tangent)
+inline std::optional<Ray_star> cast_ray_star(const Solid_queries& queries, const Vector3& point, const Vector3& tangent)
 {
   constexpr int number_of_rays = 32; // twice as many change means over a skeleton by less than one percent
-  const Vector_3 u = tangent.unitOrthogonal();
-  const Vector_3 v = tangent.cross(u);
+  const Vector3 u = tangent.unitOrthogonal();
+  const Vector3 v = tangent.cross(u);
   double sum = 0;
   double sum_of_squares = 0;
-  Vector_3 moment = Vector_3::Zero();
+  Vector3 moment = Vector3::Zero();
   int number_of_hits = 0;
   for (int i = 0; i < number_of_rays; ++i) {
     const double angle = boost::math::double_constants::two_pi * i / number_of_rays;
-    const Vector_3 direction = std::cos(angle) * u + std::sin(angle) * v;
+    const Vector3 direction = std::cos(angle) * u + std::sin(angle) * v;
     if (const std::optional<Surface_hit> hit = queries.first_hit(point, direction)) {
       sum += hit->distance;
       sum_of_squares += hit->distance * hit->distance;
@@ -77,7 +76,7 @@ inline Position_measures measure_position(const Solid_queries& queries, const Sk
   constexpr std::size_t max_number_of_samples = 1 << 16;
   Position_measures result;
   result.max_distance_outside = 0;
-  const auto is_inside = [&](const Vector_3& point) {
+  const auto is_inside = [&](const Vector3& point) {
     if (queries.is_inside(point)) {
       return true;
     }
@@ -333,8 +332,8 @@ private:
 
 /// The limbs whose upper half may contain the end of a branch: the limb nearest to the end, and the limb that the
 /// branch points to unless that is more than twice as far. `no_index` where there is none.
-inline std::array<Index, 2> limbs_near_tip(const Surface_limbs& limbs, const Solid_queries& queries,
-                                           const Vector_3& end, const Vector_3& direction)
+inline std::array<Index, 2> limbs_near_tip(const Surface_limbs& limbs, const Solid_queries& queries, const Vector3& end,
+                                           const Vector3& direction)
 {
   constexpr double max_ratio = 2; // skeletons end about a radius before the end of a limb
   const Surface_point nearest = queries.closest_point(end);
@@ -366,7 +365,7 @@ inline Limb_measures measure_limbs(const Triangulated_surface& surface, const So
       continue;
     }
     ++number_of_tips;
-    const Vector_3& end = skeleton.points[tip];
+    const Vector3& end = skeleton.points[tip];
     for (const Index limb : limbs_near_tip(limbs, queries, end, end - skeleton.points[neighbors[tip].front()])) {
       if (limb != no_index) {
         pairs.emplace_back((end - result.limbs[limb].tip).norm(), limb, tip);

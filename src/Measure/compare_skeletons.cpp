@@ -8,7 +8,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Box_tree.h>
 
@@ -25,7 +25,7 @@ namespace {
 
 /// Matches points that are not farther apart than `match_distance`, each at most once: the nearest first, on ties those
 /// of least numbers. \throw Input_error if too many are near each other
-Match_count match(const std::vector<Vector_3>& first, const std::vector<Vector_3>& second, double match_distance)
+Match_count match(const std::vector<Vector3>& first, const std::vector<Vector3>& second, double match_distance)
 {
   constexpr std::size_t most = std::size_t(1) << 22; // some seconds; skeletons of bodies have some thousand
   std::vector<Bounding_box> boxes(second.size());
@@ -74,7 +74,7 @@ struct Compared_skeleton
   {
     constexpr double spacing = 1. / 1000;
     constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would not be better
-    std::vector<Vector_3> samples;                         // of the edges; the nodes if these have no length
+    std::vector<Vector3> samples;                          // of the edges; the nodes if these have no length
     for (const Edge_sample& sample : sample_edges(skeleton, spacing, max_number_of_samples)) {
       samples.push_back(sample.point);
     }
@@ -84,7 +84,7 @@ struct Compared_skeleton
     Skeleton_distance result;
     Work_limit work;
     std::size_t number_matched = 0;
-    for (const Vector_3& sample : samples) {
+    for (const Vector3& sample : samples) {
       const double d = other.tree.nearest(sample, work).distance;
       result.mean += d;
       result.maximum = std::max(result.maximum, d);
@@ -92,7 +92,7 @@ struct Compared_skeleton
     }
     result.mean /= double(samples.size());
     result.fraction_matched = double(number_matched) / double(samples.size());
-    for (const Vector_3& point : skeleton.points) {
+    for (const Vector3& point : skeleton.points) {
       result.maximum = std::max(result.maximum, other.tree.nearest(point, work).distance);
     }
     return result;
@@ -100,8 +100,8 @@ struct Compared_skeleton
 
   Skeleton skeleton;
   Segment_tree tree;
-  std::vector<Vector_3> tips;
-  std::vector<Vector_3> junctions;
+  std::vector<Vector3> tips;
+  std::vector<Vector3> junctions;
 };
 
 /// \throw Input_error if `skeleton`, called `name`, has no nodes or one that is not finite
@@ -121,11 +121,11 @@ Normalization common_normalization(const Skeleton& a, const Skeleton& b)
 {
   Bounding_box box;
   for (const Skeleton* skeleton : {&a, &b}) {
-    for (const Vector_3& point : skeleton->points) {
+    for (const Vector3& point : skeleton->points) {
       box.extend(point);
     }
   }
-  const Vector_3 extent = box.max() - box.min();
+  const Vector3 extent = box.max() - box.min();
   const double diagonal = std::hypot(extent.x(), extent.y(), extent.z());
   if (!std::isfinite(diagonal)) {
     throw Input_error("the skeletons are too large to be measured: scale the coordinates");
@@ -144,7 +144,7 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
   check_skeleton(second, "second");
   const Normalization normalization = common_normalization(first, second);
   for (Skeleton* skeleton : {&first, &second}) {
-    for (Vector_3& point : skeleton->points) {
+    for (Vector3& point : skeleton->points) {
       point = normalization.from_input(point);
     }
   }

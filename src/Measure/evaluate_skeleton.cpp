@@ -17,7 +17,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Surface/refine_large_faces.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -44,14 +44,14 @@ namespace {
 /// Moves the center of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
 /// \pre `points` is not empty and all coordinates are finite
 /// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
-Normalization normalize_diagonal(std::vector<Vector_3>& points)
+Normalization normalize_diagonal(std::vector<Vector3>& points)
 {
   const Normalization to_cube = normalize_extent(points);
-  Vector_3 greatest = points.front();
-  for (const Vector_3& point : points) {
+  Vector3 greatest = points.front();
+  for (const Vector3& point : points) {
     greatest = greatest.cwiseMax(point);
   }
-  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centered already
+  const Normalization to_diagonal{Vector3::Zero(), 2 * greatest.norm()}; // the box is centered already
   normalize(points, to_diagonal);
   return to_cube.then(to_diagonal);
 }
@@ -116,7 +116,7 @@ void interpolate_radii(const Skeleton& skeleton, std::vector<char> is_known, dou
 
 } // namespace
 
-std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Skeleton& skeleton)
+std::vector<double> estimate_radii(const std::vector<Vector3>& points, const Skeleton& skeleton)
 {
   CGAL_precondition(!points.empty() && skeleton.number_of_nodes() > 0);
   const Segment_tree tree(skeleton);
@@ -124,7 +124,7 @@ std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Sk
   std::vector<double> weight(skeleton.number_of_nodes(), 0.);
   double total = 0;
   Work_limit work;
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     const Segment_point nearest = tree.nearest(point, work);
     const double t = nearest.parameter;
     const auto& [source, target] = tree.ends(nearest.segment);
@@ -189,7 +189,7 @@ struct Measured_body
   }
 
   Normalization normalization;
-  std::vector<Vector_3> points; ///< the vertices that have a face, neighbors near each other
+  std::vector<Vector3> points; ///< the vertices that have a face, neighbors near each other
   std::size_t number_of_components = 0;
   std::size_t number_of_borders = 0;
   Triangulated_surface surface;
@@ -197,10 +197,10 @@ struct Measured_body
 };
 
 /// The angle of the turn of the path a, b, c at b, from 0 to pi; 0 where two of the points are equal.
-double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+double turning_angle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const Vector_3 before = b - a;
-  const Vector_3 after = c - b;
+  const Vector3 before = b - a;
+  const Vector3 after = c - b;
   return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
@@ -215,9 +215,9 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
     if (neighbors[v].size() != 2) {
       continue;
     }
-    const Vector_3& a = skeleton.points[neighbors[v][0]];
-    const Vector_3& b = skeleton.points[v];
-    const Vector_3& c = skeleton.points[neighbors[v][1]];
+    const Vector3& a = skeleton.points[neighbors[v][0]];
+    const Vector3& b = skeleton.points[v];
+    const Vector3& c = skeleton.points[neighbors[v][1]];
     const double angle = turning_angle(a, b, c);
     counts.max_turning = std::fmax(counts.max_turning, angle);
     if (skeleton.radii[v] > 0) {
@@ -234,9 +234,9 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
 struct Measured_surface
 {
   Normalization normalization;
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   /// The distance of a point; neighboring points are answered faster one after the other.
-  std::function<double(const Vector_3&)> distance;
+  std::function<double(const Vector3&)> distance;
   std::unique_ptr<const Measured_body> body; ///< null for points
 };
 
@@ -245,14 +245,14 @@ Measured_surface measured_surface(Measured_input&& input)
 {
   if (input.is_mesh) {
     auto body = std::make_unique<const Measured_body>(std::move(input.triangles), std::move(input.pairing));
-    auto distance = [&queries = *body->queries, near = no_index](const Vector_3& point) mutable {
+    auto distance = [&queries = *body->queries, near = no_index](const Vector3& point) mutable {
       const Surface_point nearest = queries.closest_point(point, near);
       near = nearest.face;
       return (nearest.point - point).norm();
     };
     return {body->normalization, body->points, std::move(distance), std::move(body)};
   }
-  std::vector<Vector_3> points = std::move(input.points);
+  std::vector<Vector3> points = std::move(input.points);
   if (points.empty()) {
     throw Input_error("there are no points to measure the skeleton against: check how the input was read");
   }
@@ -271,7 +271,7 @@ Measured_surface measured_surface(Measured_input&& input)
   const auto tree = std::make_shared<const Segment_tree>(points, std::move(segments));
   return {normalization,
           std::move(points),
-          [tree, work = Work_limit()](const Vector_3& point) mutable { return tree->nearest(point, work).distance; },
+          [tree, work = Work_limit()](const Vector3& point) mutable { return tree->nearest(point, work).distance; },
           {}};
 }
 
@@ -292,9 +292,9 @@ void measure_reverse(const Triangulated_surface& surface, const Measured_surface
     const auto f = Index(std::min<double>((double(i) + place) * stretch, double(number_of_faces - 1)));
     place += boost::math::double_constants::phi;
     place -= std::floor(place);
-    const Vector_3 center = (surface.point(surface.origin(3 * f)) + surface.point(surface.target(3 * f)) +
-                             surface.point(surface.opposite_vertex(3 * f))) /
-                            3;
+    const Vector3 center = (surface.point(surface.origin(3 * f)) + surface.point(surface.target(3 * f)) +
+                            surface.point(surface.opposite_vertex(3 * f))) /
+                           3;
     const double area = surface.face_vector(f).norm() / 2;
     const double distance = measured.distance(center);
     total_area += area;
@@ -322,7 +322,7 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
   double sum_of_squares = 0;
   error.maximum = 0;
   Index near = no_index;
-  for (const Vector_3& point : measured.points) {
+  for (const Vector3& point : measured.points) {
     const Surface_point nearest = queries.closest_point(point, near);
     near = nearest.face;
     const double square = (nearest.point - point).squaredNorm();
@@ -413,7 +413,7 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
   const Round_cone_field field(skeleton);
   result.round_cones = measure_reconstruction(triangulate_field(field, skeleton, cell_size), measured);
   double sum = 0;
-  for (const Vector_3& point : measured.points) {
+  for (const Vector3& point : measured.points) {
     sum += std::abs(field(point));
   }
   result.mean_distance_from_round_cones = sum / double(measured.points.size());

@@ -8,7 +8,7 @@
 
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Skeleton.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -28,12 +28,12 @@ namespace CSCD::internal {
 /// A round cone, the convex hull of the balls around two points; a ball if it has no length.
 struct Round_cone
 {
-  Vector_3 source, direction;
+  Vector3 source, direction;
   double length, source_radius, target_radius;
   double sine, cosine; ///< of the angle between the axis and the straight lines of the surface
 
-  Round_cone(const Vector_3& from, const Vector_3& to, double from_radius, double to_radius)
-      : source(from), direction(Vector_3::Zero()), length((to - from).norm()), source_radius(from_radius),
+  Round_cone(const Vector3& from, const Vector3& to, double from_radius, double to_radius)
+      : source(from), direction(Vector3::Zero()), length((to - from).norm()), source_radius(from_radius),
         target_radius(to_radius), sine(length > 0 ? (from_radius - to_radius) / length : 1), cosine(0)
   {
     if (std::abs(sine) < 1) {
@@ -48,9 +48,9 @@ struct Round_cone
   }
 
   /// Negative inside, exact outside, and inside no greater in magnitude than the distance from the surface.
-  double signed_distance(const Vector_3& point) const
+  double signed_distance(const Vector3& point) const
   {
-    const Vector_3 to_point = point - source;
+    const Vector3 to_point = point - source;
     const double x = to_point.dot(direction);
     const double y2 = std::max(to_point.squaredNorm() - x * x, 0.);
     const double y = std::sqrt(y2);
@@ -83,15 +83,15 @@ public:
       const auto& [u, v] = ends[i];
       m_cones.emplace_back(skeleton.points[u], skeleton.points[v], skeleton.radii[u], skeleton.radii[v]);
       for (const Index node : ends[i]) {
-        boxes[i].extend(skeleton.points[node] - Vector_3::Constant(skeleton.radii[node]));
-        boxes[i].extend(skeleton.points[node] + Vector_3::Constant(skeleton.radii[node]));
+        boxes[i].extend(skeleton.points[node] - Vector3::Constant(skeleton.radii[node]));
+        boxes[i].extend(skeleton.points[node] + Vector3::Constant(skeleton.radii[node]));
       }
     }
     m_tree = Box_tree(boxes);
   }
 
   /// The signed distance of `point`; O(log n) where the cones are well spread.
-  double operator()(const Vector_3& point) const
+  double operator()(const Vector3& point) const
   {
     double least = std::numeric_limits<double>::infinity();
     std::size_t steps = 0;
@@ -108,7 +108,7 @@ public:
 
 private:
   /// At most the signed distance of `point` from the content of `box`: inside it, the distance from its nearest side.
-  static double bound(const Bounding_box& box, const Vector_3& point)
+  static double bound(const Bounding_box& box, const Vector3& point)
   {
     constexpr double slack = 1e-12; // far above rounding
     const double square = box.squared_distance(point);
@@ -141,7 +141,7 @@ public:
     for (const std::array<Index, 2>& edge : skeleton.edges) {
       const double length = skeleton.length(edge);
       if (length > 0) {
-        const Vector_3& source = skeleton.points[edge[0]];
+        const Vector3& source = skeleton.points[edge[0]];
         m_edges.push_back({source, (skeleton.points[edge[1]] - source) / length, length, skeleton.radii[edge[0]],
                            skeleton.radii[edge[1]]});
       } else {
@@ -152,7 +152,7 @@ public:
   }
 
   /// F at `point`. Linear in the number of edges.
-  double convolution(const Vector_3& point) const
+  double convolution(const Vector3& point) const
   {
     double sum = 0;
     for (const Edge& edge : m_edges) {
@@ -167,7 +167,7 @@ public:
 
   /// A function that is negative inside the surface and grows evenly across it: F^(-1/3) - 1, which for an endless line
   /// is the distance from it over its radius, less 1.
-  double operator()(const Vector_3& point) const
+  double operator()(const Vector3& point) const
   {
     constexpr double min_convolution = 1e-30; // far from everything; keeps the result finite
     return 1 / std::cbrt(std::max(convolution(point), min_convolution)) - 1;
@@ -176,16 +176,16 @@ public:
 private:
   struct Edge
   {
-    Vector_3 source, direction;
+    Vector3 source, direction;
     double length, source_radius, target_radius;
   };
   struct Ball
   {
-    Vector_3 center;
+    Vector3 center;
     double radius;
   };
 
-  static double value(const Ball& ball, const Vector_3& point)
+  static double value(const Ball& ball, const Vector3& point)
   {
     const double ratio = ball.radius * ball.radius / std::max((point - ball.center).squaredNorm(), min_square);
     return ratio * ratio;
@@ -216,9 +216,9 @@ private:
   static constexpr double min_square = 1e-14;
 
   /// The integral of r(x)^3 / |point - x|^4 along `edge`.
-  static double integral(const Edge& edge, const Vector_3& point)
+  static double integral(const Edge& edge, const Vector3& point)
   {
-    const Vector_3 to_point = point - edge.source;
+    const Vector3 to_point = point - edge.source;
     const double foot = to_point.dot(edge.direction);
     const double x0 = -foot;
     const double x1 = edge.length - foot;

@@ -9,7 +9,7 @@
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -35,7 +35,7 @@ using Neighbors = std::vector<std::vector<Index>>;
 /// A place on a branch.
 struct Branch_point
 {
-  Vector_3 point = Vector_3::Zero();
+  Vector3 point = Vector3::Zero();
   double radius = 0;
 };
 
@@ -244,17 +244,17 @@ private:
   static constexpr double min_relative_radius = 0.05;
 
   const Skeleton& skeleton() const { return m_result.skeleton; }
-  const Vector_3& point(Index v) const { return skeleton().points[v]; }
+  const Vector3& point(Index v) const { return skeleton().points[v]; }
   double radius(Index v) const { return skeleton().has_radii() ? skeleton().radii[v] : 0; }
 
   /// Whether a straight edge lies inside; always, if the body is not known.
-  bool is_inside(const Vector_3& from, const Vector_3& to) const
+  bool is_inside(const Vector3& from, const Vector3& to) const
   {
     if (m_solid == nullptr) {
       return true;
     }
-    const Vector_3 a = m_solid->normalization().from_input(from);
-    const Vector_3 b = m_solid->normalization().from_input(to);
+    const Vector3 a = m_solid->normalization().from_input(from);
+    const Vector3 b = m_solid->normalization().from_input(to);
     std::vector<double> crossings;
     m_solid->crossings(a, b, crossings);
     return crossings.empty() && m_solid->is_inside(a) && m_solid->is_inside(b);

@@ -10,7 +10,7 @@
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
@@ -66,8 +66,8 @@ inline Skeleton_counts count_skeleton(const Skeleton& skeleton)
 /// A point of a skeleton, and the unit direction of its edge.
 struct Edge_sample
 {
-  Vector_3 point = Vector_3::Zero();
-  Vector_3 tangent = Vector_3::Zero();
+  Vector3 point = Vector3::Zero();
+  Vector3 tangent = Vector3::Zero();
 };
 
 /// Samples the edges of `skeleton` evenly: they are laid end to end in their order, and every piece of length `spacing`
@@ -90,8 +90,8 @@ inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double sp
     if (!(length > 0)) {
       continue;
     }
-    const Vector_3& source = skeleton.points[edge[0]];
-    const Vector_3 tangent = (skeleton.points[edge[1]] - source) / length;
+    const Vector3& source = skeleton.points[edge[0]];
+    const Vector3 tangent = (skeleton.points[edge[1]] - source) / length;
     while (to_next <= length) {
       samples.push_back({source + to_next * tangent, tangent});
       to_next += spacing;
@@ -172,7 +172,7 @@ class Segment_tree
 public:
   /// O(n log n).
   /// \param segments by the numbers of their ends in `points`
-  Segment_tree(std::vector<Vector_3> points, std::vector<std::array<Index, 2>> segments)
+  Segment_tree(std::vector<Vector3> points, std::vector<std::array<Index, 2>> segments)
       : m_points(std::move(points)), m_segments(std::move(segments))
   {
     std::vector<Bounding_box> boxes(m_segments.size());
@@ -190,7 +190,7 @@ public:
 
   /// The point of all segments that is nearest to `point`; on ties that of the first segment. \pre there are segments
   /// \throw Input_error see `Work_limit`
-  Segment_point nearest(const Vector_3& point, Work_limit& work) const
+  Segment_point nearest(const Vector3& point, Work_limit& work) const
   {
     constexpr double slack = 1 - 1e-12; // far above rounding: boxes as near as the nearest edge so far are entered
     double least = std::numeric_limits<double>::infinity();
@@ -199,8 +199,8 @@ public:
     m_tree.minimize([&](const Bounding_box& box) { return slack * box.squared_distance(point); },
                     [&](Index i) {
                       ++steps;
-                      const Vector_3& source = m_points[m_segments[i][0]];
-                      const Vector_3& target = m_points[m_segments[i][1]];
+                      const Vector3& source = m_points[m_segments[i][0]];
+                      const Vector3& target = m_points[m_segments[i][1]];
                       const double square = (source + parameter(i, point) * (target - source) - point).squaredNorm();
                       if (square < least || (square == least && i < nearest)) {
                         least = square;
@@ -213,12 +213,12 @@ public:
   }
 
 private:
-  double parameter(Index i, const Vector_3& point) const
+  double parameter(Index i, const Vector3& point) const
   {
     return nearest_parameter(point, m_points[m_segments[i][0]], m_points[m_segments[i][1]]);
   }
 
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   std::vector<std::array<Index, 2>> m_segments;
   Box_tree m_tree;
 };

@@ -8,7 +8,7 @@
 
 #include "Tree/Neighbor_graph.h"
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Slice
   float begin = 0;         ///< the band
   float end = 0;
   std::vector<Index> points;
-  Vector_3 centroid = Vector_3::Zero();
+  Vector3 centroid = Vector3::Zero();
   double spacing = 0; ///< mean over the points
   double radius = 0;  ///< scatter around the direction of growth
 };
@@ -36,8 +36,8 @@ struct Slice
 /// A section of a limb, derived from a slice.
 struct Section
 {
-  Vector_3 center = Vector_3::Zero();
-  Vector_3 direction = Vector_3::Zero(); ///< of the limb, unit length
+  Vector3 center = Vector3::Zero();
+  Vector3 direction = Vector3::Zero(); ///< of the limb, unit length
   double radius = 0;
   double confidence = 0; ///< of center and radius, in [0, 1]
   bool is_rough = true;  ///< whether no circle near it gives the radius
@@ -61,7 +61,7 @@ struct Tree_limb
 class Slice_growth
 {
 public:
-  Slice_growth(const std::vector<Vector_3>& points, const Neighbor_graph& graph, const Root_distances& distances)
+  Slice_growth(const std::vector<Vector3>& points, const Neighbor_graph& graph, const Root_distances& distances)
       : m_points(points), m_graph(graph), m_distances(distances), m_slice_of_point(points.size(), no_index),
         m_group(points.size(), no_index), m_children(points.size(), [&](const auto& add) {
           for (Index point = 0; point < points.size(); ++point) {
@@ -211,7 +211,7 @@ private:
   {
     const Index number_of_groups = connect(task, begin, band, slices);
     const auto first = Index(slices.size());
-    slices.resize(first + number_of_groups, {task.parent, begin, end, {}, Vector_3::Zero(), 0, 0});
+    slices.resize(first + number_of_groups, {task.parent, begin, end, {}, Vector3::Zero(), 0, 0});
     for (Index point : band) {
       m_slice_of_point[point] = first + m_group[point];
       slices[m_slice_of_point[point]].points.push_back(point);
@@ -234,8 +234,8 @@ private:
       slice.centroid += m_points[point] / number;
       slice.spacing += m_graph.spacing(point) / number;
     }
-    const Vector_3 step = parent != nullptr ? Vector_3(slice.centroid - parent->centroid) : Vector_3::UnitZ();
-    const Vector_3 direction = step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
+    const Vector3 step = parent != nullptr ? Vector3(slice.centroid - parent->centroid) : Vector3::UnitZ();
+    const Vector3 direction = step.norm() > 0 ? Vector3(step.normalized()) : Vector3::UnitZ();
     double sum = 0;
     for (Index point : slice.points) {
       sum += (m_points[point] - slice.centroid).cross(direction).squaredNorm() / number;
@@ -249,7 +249,7 @@ private:
     return float(std::max(min_width * slice.spacing, width_in_radii * slice.radius));
   }
 
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   const Neighbor_graph& m_graph;
   const Root_distances& m_distances;
   std::vector<Index> m_slice_of_point;
@@ -333,9 +333,9 @@ private:
         before = m_slices[before].parent == no_index ? before : m_slices[before].parent;
         after = next[after] == no_index ? after : next[after];
       }
-      const Vector_3& fork = m_slices[m_slices[slice].parent].centroid;
-      const Vector_3 in = fork - m_slices[before].centroid;
-      const Vector_3 out = m_slices[after].centroid - fork;
+      const Vector3& fork = m_slices[m_slices[slice].parent].centroid;
+      const Vector3 in = fork - m_slices[before].centroid;
+      const Vector3 out = m_slices[after].centroid - fork;
       const double cosine = in.norm() > 0 && out.norm() > 0 ? in.normalized().dot(out.normalized()) : 1;
       m_strength[slice] = float(carried[slice] * std::pow((1 + cosine) / 2, straightness_exponent));
     }
@@ -445,7 +445,7 @@ private:
   static constexpr double longest_overhang = 2;
 
   /// The slice of `parent` nearest to a place, from `first` on as long as it gets nearer.
-  std::size_t nearest_slice(const Tree_limb& parent, std::size_t first, const Vector_3& place) const
+  std::size_t nearest_slice(const Tree_limb& parent, std::size_t first, const Vector3& place) const
   {
     std::size_t result = first;
     const auto distance = [&](std::size_t i) { return (m_sections[parent.slices[i]].center - place).norm(); };
@@ -456,9 +456,9 @@ private:
   }
 
   /// Whether a place is on the bark of a section, and not beyond its end.
-  bool is_on_bark(const Vector_3& place, const Section& section) const
+  bool is_on_bark(const Vector3& place, const Section& section) const
   {
-    const Vector_3 d = place - section.center;
+    const Vector3 d = place - section.center;
     return d.cross(section.direction).norm() <= bark * section.radius &&
            std::abs(d.dot(section.direction)) <= longest_overhang * section.radius;
   }

@@ -9,7 +9,7 @@
 #include "Tree/insert_points.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -38,7 +38,7 @@ public:
 
   /// Joins each of `points` to those among its nearest neighbors, or of whose it is one, that are not far for the
   /// spacing at both. O(n log n).
-  explicit Neighbor_graph(const std::vector<Vector_3>& points)
+  explicit Neighbor_graph(const std::vector<Vector3>& points)
   {
     const Neighbor_table table(points, number_of_neighbors);
     measure_spacing(table);
@@ -109,7 +109,7 @@ private:
 class Root_distances
 {
 public:
-  explicit Root_distances(const std::vector<Vector_3>& points, const Neighbor_graph& graph)
+  explicit Root_distances(const std::vector<Vector3>& points, const Neighbor_graph& graph)
       : m_points(points), m_graph(graph), m_front(points.size()), m_cost(points.size(), 0.F),
         m_distance(points.size(), 0.F), m_parent(points.size(), no_index)
   {
@@ -154,7 +154,7 @@ private:
   /// How much more, as the power of the length relative to the spacing.
   static constexpr double leap_exponent = 0.5;
 
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   const Neighbor_graph& m_graph;
   Dijkstra_search m_front;
   std::vector<float> m_cost;
@@ -182,7 +182,7 @@ struct Point_gap
 class Gap_bridging
 {
 public:
-  Gap_bridging(const std::vector<Vector_3>& points, const Neighbor_graph& graph)
+  Gap_bridging(const std::vector<Vector3>& points, const Neighbor_graph& graph)
       : m_points(points), m_graph(graph), m_pieces(points.size()), m_joined_to(points.size(), no_index),
         m_join_width(points.size(), std::numeric_limits<double>::max())
   {
@@ -260,7 +260,7 @@ private:
   struct Moments
   {
     double number;
-    Vector_3 sum;
+    Vector3 sum;
     double sum_of_squares;
     double bottom;
     double top;
@@ -377,7 +377,7 @@ private:
     }
   }
 
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   const Neighbor_graph& m_graph;
   Disjoint_sets m_pieces;
   std::vector<Index> m_piece;       // of every point, before any gap was bridged: named by a point of it

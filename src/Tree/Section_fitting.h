@@ -9,7 +9,7 @@
 #include "Tree/Limb_finder.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -164,7 +164,7 @@ inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& 
 class Section_fitting
 {
 public:
-  Section_fitting(const std::vector<Vector_3>& points, const std::vector<Slice>& slices)
+  Section_fitting(const std::vector<Vector3>& points, const std::vector<Slice>& slices)
       : m_points(points), m_slices(slices), m_sections(slices.size())
   {
   }
@@ -256,23 +256,23 @@ private:
   {
     for (std::size_t i = 0; i < limb.slices.size(); ++i) {
       const auto [first, last] = window(limb, i, direction_reach);
-      const Vector_3& after = section(limb, last).center;
-      Vector_3 step = after - section(limb, first).center;
+      const Vector3& after = section(limb, last).center;
+      Vector3 step = after - section(limb, first).center;
       if (step.norm() == 0 && limb.joint != no_index) {
         step = after - m_sections[limb.joint].center;
       }
-      section(limb, i).direction = step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
+      section(limb, i).direction = step.norm() > 0 ? Vector3(step.normalized()) : Vector3::UnitZ();
     }
   }
 
   /// The points of a slice and of those around it, along the limb into a plane across it. The origin is the centroid.
-  std::vector<Eigen::Vector2d> project(const Tree_limb& limb, std::size_t i, const Vector_3& u, const Vector_3& v) const
+  std::vector<Eigen::Vector2d> project(const Tree_limb& limb, std::size_t i, const Vector3& u, const Vector3& v) const
   {
     std::vector<Eigen::Vector2d> result;
-    const Vector_3& origin = m_slices[limb.slices[i]].centroid;
+    const Vector3& origin = m_slices[limb.slices[i]].centroid;
     const auto project_slice = [&](std::size_t j) {
       for (Index point : m_slices[limb.slices[j]].points) {
-        const Vector_3 d = m_points[point] - origin;
+        const Vector3 d = m_points[point] - origin;
         result.emplace_back(u.dot(d), v.dot(d));
       }
     };
@@ -318,8 +318,8 @@ private:
   void fit_section(const Tree_limb& limb, std::size_t i)
   {
     Section& section = m_sections[limb.slices[i]];
-    const Vector_3 u = section.direction.unitOrthogonal();
-    const Vector_3 v = section.direction.cross(u);
+    const Vector3 u = section.direction.unitOrthogonal();
+    const Vector3 v = section.direction.cross(u);
     const std::vector<Eigen::Vector2d> points = project(limb, i, u, v);
     section.outcome = Circle_outcome::few_points;
     const std::optional<Circle_fit> circle = points.size() < min_points ? std::nullopt : fit_circle(points);
@@ -346,7 +346,7 @@ private:
   void place_centers(const Tree_limb& limb)
   {
     const std::size_t size = limb.slices.size();
-    std::vector<Vector_3> centers;
+    std::vector<Vector3> centers;
     for (std::size_t i = 0; i < size; ++i) {
       centers.push_back(section(limb, i).is_circle() ? section(limb, i).center
                                                      : m_slices[limb.slices[i]].centroid + offset_around(limb, i));
@@ -384,9 +384,9 @@ private:
   }
 
   /// How far the centers of circles around a slice without one are from the centroids.
-  Vector_3 offset_around(const Tree_limb& limb, std::size_t i) const
+  Vector3 offset_around(const Tree_limb& limb, std::size_t i) const
   {
-    Vector_3 offset = Vector_3::Zero();
+    Vector3 offset = Vector3::Zero();
     double sum = min_confidence;
     const auto [first, last] = window(limb, i, offset_reach);
     for (std::size_t j = first; j <= last; ++j) {
@@ -470,7 +470,7 @@ private:
     return number;
   }
 
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   const std::vector<Slice>& m_slices;
   std::vector<Section> m_sections;  // of every slice
   std::vector<double> m_deviations; // of the points from the circles of trunks

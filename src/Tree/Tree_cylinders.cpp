@@ -7,7 +7,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -55,7 +55,7 @@ std::vector<Tree_cylinder> make_tree_cylinders(const Skeleton& skeleton, const T
       const bool is_base = i == 1 && !is_trunk;
       const double radius = skeleton.radii[nodes[i]];
       const double radius_before = skeleton.radii[nodes[i - 1]];
-      const Vector_3 edge = skeleton.points[nodes[i]] - skeleton.points[nodes[i - 1]];
+      const Vector3 edge = skeleton.points[nodes[i]] - skeleton.points[nodes[i - 1]];
       const double inside = is_base ? radius_before : 0; // a limb begins at the bark of its parent
       cylinder_to[nodes[i]] = cylinder_to[nodes[i - 1]];
       if (!(edge.norm() > inside)) {

@@ -16,7 +16,7 @@
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/property_map.h>
@@ -40,7 +40,7 @@ namespace {
 /// The foot of a trunk: the points of an object that are lowest and connected with the lowest, and others as low next
 /// to them, where the foot was not seen whole. If that is too wide for a foot, the outermost of them, an end of an
 /// object that lies. \param is_taken is set for the points that were looked at
-std::vector<Index> find_foot(const std::vector<Vector_3>& points, const Neighbor_graph& graph,
+std::vector<Index> find_foot(const std::vector<Vector3>& points, const Neighbor_graph& graph,
                              const std::vector<Index>& members, std::vector<char>& is_taken)
 {
   constexpr double foot_height = 3; // above the lowest point, relative to the spacing there
@@ -50,7 +50,7 @@ std::vector<Index> find_foot(const std::vector<Vector_3>& points, const Neighbor
   // arc of a third of a circle may have its other parts on the opposite side.
   constexpr double widest_foot = 1.5;
   Index lowest = members.front();
-  Vector_3 centroid = Vector_3::Zero();
+  Vector3 centroid = Vector3::Zero();
   for (const Index point : members) {
     lowest = points[point].z() < points[lowest].z() ? point : lowest;
     centroid += points[point] / double(members.size());
@@ -96,8 +96,8 @@ std::vector<Index> find_foot(const std::vector<Vector_3>& points, const Neighbor
 /// For each object the points that distances start from. Shortest paths from a single point would go round a thick
 /// trunk; from all around its foot, they go up.
 /// \param root where one of the objects, the nearest, begins; all others begin at their lowest points
-std::vector<std::vector<Index>> roots_of_objects(const std::vector<Vector_3>& points, const Neighbor_graph& graph,
-                                                 const Gap_bridging& bridging, const std::optional<Vector_3>& root)
+std::vector<std::vector<Index>> roots_of_objects(const std::vector<Vector3>& points, const Neighbor_graph& graph,
+                                                 const Gap_bridging& bridging, const std::optional<Vector3>& root)
 {
   std::vector<std::vector<Index>> members(bridging.number_of_objects());
   Index nearest = no_index;
@@ -125,7 +125,7 @@ std::vector<std::vector<Index>> roots_of_objects(const std::vector<Vector_3>& po
 /// A node of the skeleton of a tree.
 struct Tree_node
 {
-  Vector_3 position;
+  Vector3 position;
   double radius;
   Index parent; ///< stands before it; `no_index` for a root
 };
@@ -134,8 +134,8 @@ struct Tree_node
 class Tree_nodes
 {
 public:
-  Tree_nodes(const std::vector<Vector_3>& points, const std::vector<Slice>& slices,
-             const std::vector<Section>& sections, const std::vector<Tree_limb>& limbs)
+  Tree_nodes(const std::vector<Vector3>& points, const std::vector<Slice>& slices, const std::vector<Section>& sections,
+             const std::vector<Tree_limb>& limbs)
       : node_of_slice(slices.size(), no_index), m_points(points), m_slices(slices), m_sections(sections)
   {
     for (const Tree_limb& limb : limbs) {
@@ -189,7 +189,7 @@ private:
     branches.push_back(std::move(branch));
   }
 
-  void add_node(const Vector_3& position, double radius, Tree_branch& branch)
+  void add_node(const Vector3& position, double radius, Tree_branch& branch)
   {
     nodes.push_back({position, radius, branch.nodes.empty() ? no_index : Index(branch.nodes.back())});
     branch.nodes.push_back(nodes.size() - 1);
@@ -212,23 +212,23 @@ private:
   /// apart in the crotch, beyond the place where their axes meet.
   void move_joint(Tree_branch& branch)
   {
-    const Vector_3 base = nodes[branch.nodes[1]].position;
-    const Vector_3 far = nodes[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]].position;
+    const Vector3 base = nodes[branch.nodes[1]].position;
+    const Vector3 far = nodes[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]].position;
     if (far == base) {
       return;
     }
-    const Vector_3 direction = (far - base).normalized();
+    const Vector3 direction = (far - base).normalized();
     const Tree_branch& parent = branches[branch.parent];
     const Tree_node& old_joint = nodes[branch.nodes.front()];
     double least = std::numeric_limits<double>::max();
     std::size_t joint = branch.nodes.front();
     // The first node of a branch belongs to another one.
     for (std::size_t i = parent.parent == no_branch ? 0 : 1; i < parent.nodes.size(); ++i) {
-      const Vector_3& place = nodes[parent.nodes[i]].position;
+      const Vector3& place = nodes[parent.nodes[i]].position;
       if ((place - old_joint.position).norm() > farthest_move * old_joint.radius) {
         continue;
       }
-      const Vector_3 d = place - base;
+      const Vector3 d = place - base;
       const double distance = d.cross(direction).norm() + std::max(0., d.dot(direction));
       if (distance < least) {
         least = distance;
@@ -260,7 +260,7 @@ private:
   }
 
   std::size_t m_number_of_trunks = 0;
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   const std::vector<Slice>& m_slices;
   const std::vector<Section>& m_sections;
 };
@@ -272,7 +272,7 @@ public:
   /// O(n log n).
   /// \param points different points, at least one
   /// \param root where one of the objects begins; all others begin at their lowest points
-  Tree_skeletonization(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root)
+  Tree_skeletonization(const std::vector<Vector3>& points, const std::optional<Vector3>& root)
       : m_points(points), m_graph(points), m_bridging(points, m_graph), m_distances(points, m_graph)
   {
     m_roots = roots_of_objects(m_points, m_graph, m_bridging, root);
@@ -349,7 +349,7 @@ private:
   void limit_by_pipe_model(Section_fitting& fitting) const
   {
     std::vector<double> carried(m_slices.size(), 0);
-    const auto center = [&](Index slice) -> const Vector_3& { return fitting.sections()[slice].center; };
+    const auto center = [&](Index slice) -> const Vector3& { return fitting.sections()[slice].center; };
     for (std::size_t limb = m_limbs.size(); limb-- > 0;) {
       const std::vector<Index>& slices = m_limbs[limb].slices;
       for (std::size_t i = slices.size(); i-- > 0;) {
@@ -366,7 +366,7 @@ private:
     }
   }
 
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   Neighbor_graph m_graph;
   Gap_bridging m_bridging;
   Root_distances m_distances;
@@ -433,7 +433,7 @@ Tree_report Tree_skeletonization::move_to(const Point_cloud& cloud, Skeleton& sk
     branch.radius_at_tip *= normalization.unit;
   }
   const auto coordinates = [&](Index point) -> std::array<double, 3> {
-    const Vector_3 p = normalization.to_input(cloud.points[point]);
+    const Vector3 p = normalization.to_input(cloud.points[point]);
     return {p.x(), p.y(), p.z()};
   };
   for (const Point_gap& gap : m_gaps) {
@@ -460,7 +460,7 @@ Tree_report Tree_skeletonization::move_to(const Point_cloud& cloud, Skeleton& sk
 
 /// How far `points` deviate from the bark: from quadrics through some of them and their neighbors, at the quarter of
 /// the places where it is least. From those at twigs, they deviate without noise.
-double noise_of_bark(const std::vector<Vector_3>& points)
+double noise_of_bark(const std::vector<Vector3>& points)
 {
   constexpr std::size_t number_of_places = 2000;
   constexpr double noise_quantile = 0.25;
@@ -502,7 +502,7 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
     return std::move(cloud);
   }
   std::vector<Index> representative(cloud.points.size(), no_index);
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   for (Index i = 0; i < kept.size(); ++i) {
     representative[kept[i]] = i;
     points.push_back(cloud.points[kept[i]]);
@@ -518,13 +518,13 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
 
 } // namespace
 
-Tree_report skeletonize_trees(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root,
+Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::optional<Vector3>& root,
                               Skeleton& skeleton)
 {
   const auto start = std::chrono::steady_clock::now();
   const Point_cloud cloud =
-      thin_to_noise(collect_any_points(points, CGAL::Identity_property_map<Vector_3>(), No_normals()));
-  std::optional<Vector_3> place;
+      thin_to_noise(collect_any_points(points, CGAL::Identity_property_map<Vector3>(), No_normals()));
+  std::optional<Vector3> place;
   if (root) {
     place = cloud.normalization.from_input(*root);
     if (!place->allFinite()) {

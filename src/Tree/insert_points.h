@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_TREE_INSERT_POINTS_H
 #define CSCD_SRC_TREE_INSERT_POINTS_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -25,7 +25,7 @@ namespace CSCD::internal {
 /// \throw Input_error if there would be as many tetrahedra as only points along curves have: two straight lines of n
 ///        points have n^2
 template <class Triangulation>
-void insert_points(Triangulation& triangulation, const std::vector<Vector_3>& points)
+void insert_points(Triangulation& triangulation, const std::vector<Vector3>& points)
 {
   using Point = typename Triangulation::Point;
   // Points on surfaces have about 7 tetrahedra each, in volumes as many; each takes some 100 bytes.
@@ -34,7 +34,7 @@ void insert_points(Triangulation& triangulation, const std::vector<Vector_3>& po
   const std::size_t max_number_of_cells = max_cells_per_point * points.size() + max_cells_of_few_points;
   std::vector<Point> sites;
   sites.reserve(points.size());
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     sites.emplace_back(point.x(), point.y(), point.z());
   }
   std::vector<std::size_t> order(sites.size());

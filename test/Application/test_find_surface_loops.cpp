@@ -10,7 +10,7 @@
 #include "support/simple_shapes.h"
 #include "support/swept_shapes.h"
 #include <CSCD/Application/find_surface_loops.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -33,7 +33,7 @@ using CSCD::Loop_kind;
 using CSCD::test::pi;
 using Loop_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Mesh_loop = CSCD::Surface_loop<Loop_mesh::Point>;
-using Polygon = std::vector<CSCD::Vector_3>;
+using Polygon = std::vector<CSCD::Vector3>;
 
 std::vector<Mesh_loop> loops_of(const CSCD::test::Shape& shape, unsigned seed = 0)
 {
@@ -48,7 +48,7 @@ std::vector<Mesh_loop> of_kind(const std::vector<Mesh_loop>& loops, Loop_kind ki
   return result;
 }
 
-CSCD::Vector_3 to_vector(const Loop_mesh::Point& point)
+CSCD::Vector3 to_vector(const Loop_mesh::Point& point)
 {
   return {point.x(), point.y(), point.z()};
 }
@@ -66,19 +66,19 @@ Polygon to_polygon(const Mesh_loop& loop)
 /// The loop a little outside of the surface, or inside by a negative distance.
 Polygon pushed_outwards(const Mesh_loop& loop, const CSCD::test::Shape& shape, double distance)
 {
-  Polygon normals(shape.points.size(), CSCD::Vector_3::Zero());
+  Polygon normals(shape.points.size(), CSCD::Vector3::Zero());
   const auto at = [&](std::size_t v) {
-    return CSCD::Vector_3(shape.points[v][0], shape.points[v][1], shape.points[v][2]);
+    return CSCD::Vector3(shape.points[v][0], shape.points[v][1], shape.points[v][2]);
   };
   for (const auto& [a, b, c] : shape.triangles) {
-    const CSCD::Vector_3 normal = (at(b) - at(a)).cross(at(c) - at(a));
+    const CSCD::Vector3 normal = (at(b) - at(a)).cross(at(c) - at(a));
     for (const std::size_t v : {a, b, c}) {
       normals[v] += normal;
     }
   }
   Polygon result;
   result.reserve(loop.points.size());
-  for (const CSCD::Vector_3& point : to_polygon(loop)) {
+  for (const CSCD::Vector3& point : to_polygon(loop)) {
     std::size_t nearest = 0;
     for (std::size_t v = 0; v < shape.points.size(); ++v) {
       if ((at(v) - point).squaredNorm() < (at(nearest) - point).squaredNorm()) {
@@ -96,12 +96,12 @@ long linking_number(const Polygon& first, const Polygon& second)
   double sum = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     for (std::size_t j = 0; j < second.size(); ++j) {
-      const CSCD::Vector_3 a = first[i] - second[j];
-      const CSCD::Vector_3 b = first[i] - second[(j + 1) % second.size()];
-      const CSCD::Vector_3 c = first[(i + 1) % first.size()] - second[(j + 1) % second.size()];
-      const CSCD::Vector_3 d = first[(i + 1) % first.size()] - second[j];
+      const CSCD::Vector3 a = first[i] - second[j];
+      const CSCD::Vector3 b = first[i] - second[(j + 1) % second.size()];
+      const CSCD::Vector3 c = first[(i + 1) % first.size()] - second[(j + 1) % second.size()];
+      const CSCD::Vector3 d = first[(i + 1) % first.size()] - second[j];
       // Signed areas of two spherical triangles (van Oosterom and Strackee).
-      const auto area = [](const CSCD::Vector_3& p, const CSCD::Vector_3& q, const CSCD::Vector_3& r) {
+      const auto area = [](const CSCD::Vector3& p, const CSCD::Vector3& q, const CSCD::Vector3& r) {
         const double pn = p.norm();
         const double qn = q.norm();
         const double rn = r.norm();
@@ -247,12 +247,12 @@ TEST(Find_surface_loops, stenosis_of_a_curved_vessel_is_found)
     EXPECT_GT(loops[0].depth, 0.3);
     // In a bend, parallel curves are a little longer than the circles.
     EXPECT_LT(loops[0].depth, 1.05 / narrowest - 1);
-    CSCD::Vector_3 middle = CSCD::Vector_3::Zero();
+    CSCD::Vector3 middle = CSCD::Vector3::Zero();
     for (const auto& point : loops[0].points) {
       middle += to_vector(point) / double(loops[0].points.size());
     }
     const CSCD::test::Triple wanted = center(place);
-    EXPECT_LT((middle - CSCD::Vector_3(wanted[0], wanted[1], wanted[2])).norm(), 0.1) << narrowest;
+    EXPECT_LT((middle - CSCD::Vector3(wanted[0], wanted[1], wanted[2])).norm(), 0.1) << narrowest;
   }
 }
 

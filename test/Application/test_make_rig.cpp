@@ -100,7 +100,7 @@ void expect_valid(const Rigged_shape& shape)
     const CSCD::Rig_joint& joint = rig.joints[j];
     EXPECT_TRUE(names.insert(name(joint)).second);
     const auto& point = shape.skeleton[joint.node].point;
-    EXPECT_EQ(CSCD::Vector_3(point.x(), point.y(), point.z()), joint.point);
+    EXPECT_EQ(CSCD::Vector3(point.x(), point.y(), point.z()), joint.point);
     EXPECT_TRUE(!joint.parent || ancestors.count(*joint.parent) == 1) << "what depends on a joint comes in one piece";
     ancestors.erase(joint.parent ? ancestors.upper_bound(*joint.parent) : ancestors.begin(), ancestors.end());
     ancestors.insert(j);
@@ -171,7 +171,7 @@ TEST(Make_rig, bending_a_joint_of_a_bent_tube_moves_what_is_behind_it)
     ++number_of_bends;
     EXPECT_LT(tube.steepness(j), 1.5);
     const double place = std::atan2(joint.point.y(), joint.point.x());
-    const CSCD::Vector_3& before = tube.rig.joints[*joint.parent].point;
+    const CSCD::Vector3& before = tube.rig.joints[*joint.parent].point;
     const double sign = std::atan2(before.y(), before.x()) < place ? 1 : -1;
     for (const auto v : tube.mesh.vertices()) { // a radius around the joint is where the weights go over
       const auto& p = tube.mesh.point(v);
@@ -192,12 +192,12 @@ TEST(Make_rig, each_limb_of_a_star_has_a_joint_that_moves_it_alone)
   const std::vector<std::size_t> joints = star.joints_behind(0);
   ASSERT_EQ(number_of_limbs, joints.size());
   for (const std::size_t j : joints) {
-    const CSCD::Vector_3 direction = star.rig.joints[j].point.normalized();
+    const CSCD::Vector3 direction = star.rig.joints[j].point.normalized();
     EXPECT_LT(star.rig.joints[j].point.norm(), 3) << "where the limb leaves the middle";
     EXPECT_LT(star.steepness(j), 3);
     for (const auto v : star.mesh.vertices()) {
       const auto& p = star.mesh.point(v);
-      const double along = CSCD::Vector_3(p.x(), p.y(), p.z()).dot(direction);
+      const double along = CSCD::Vector3(p.x(), p.y(), p.z()).dot(direction);
       const double distance = std::sqrt((p - CGAL::ORIGIN).squared_length());
       const bool is_on_limb = along > 0.9 * distance;
       if (is_on_limb && distance > 4) {

@@ -23,7 +23,7 @@
 
 namespace {
 
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::Volume;
 
 const std::vector<std::uint16_t> voxel_values{0, 1, 2, 3, 4, 500, 0, 0, 7, 8, 0, 65535}; // 3 x 2 x 2
@@ -89,10 +89,10 @@ void expect_sample(const std::string& filename)
   SCOPED_TRACE(filename);
   const Volume volume = CSCD::read_volume(filename, each_label);
   EXPECT_EQ(volume.grid.size, (std::array<std::size_t, 3>{3, 2, 2}));
-  EXPECT_EQ(volume.grid.origin, Vector_3(10, 20, 30));
-  EXPECT_EQ(volume.grid.axes[0], Vector_3(2, 0, 0));
-  EXPECT_EQ(volume.grid.axes[1], Vector_3(0, 0, 0.5));
-  EXPECT_EQ(volume.grid.axes[2], Vector_3(0, -1, 0));
+  EXPECT_EQ(volume.grid.origin, Vector3(10, 20, 30));
+  EXPECT_EQ(volume.grid.axes[0], Vector3(2, 0, 0));
+  EXPECT_EQ(volume.grid.axes[1], Vector3(0, 0, 0.5));
+  EXPECT_EQ(volume.grid.axes[2], Vector3(0, -1, 0));
   EXPECT_EQ(volume.labels, std::vector<std::uint32_t>(voxel_values.begin(), voxel_values.end()));
 }
 
@@ -129,7 +129,7 @@ TEST(read_volume, gives_the_same_surfaces_slice_by_slice)
 {
   const test_support::Temporary_folder folder;
   Volume volume;
-  volume.grid = {{9, 8, 7}, {1, 2, 3}, {Vector_3(0.5, 0, 0), Vector_3(0, 0.1, 2), Vector_3(0, 1, 0)}};
+  volume.grid = {{9, 8, 7}, {1, 2, 3}, {Vector3(0.5, 0, 0), Vector3(0, 0.1, 2), Vector3(0, 1, 0)}};
   for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
     volume.labels.push_back(std::uint32_t(i * i % 97 % 4));
   }
@@ -154,7 +154,7 @@ TEST(read_volume, refuses_gray_values_as_labels_before_a_surface_is_made)
   const test_support::Temporary_folder folder;
   Volume volume;
   volume.grid.size = {41, 41, 41};
-  volume.grid.origin = Vector_3(0, 0, 0);
+  volume.grid.origin = Vector3(0, 0, 0);
   for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
     volume.labels.push_back(std::uint32_t(i)); // more than 65,536
   }

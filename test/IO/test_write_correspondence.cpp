@@ -8,7 +8,7 @@
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -24,7 +24,7 @@ namespace {
 
 using CSCD::Index;
 using CSCD::no_index;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::Vertex_label;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -82,10 +82,10 @@ std::vector<Vertex_label> numbered_labels(std::size_t size)
 
 TEST(Labels_of_file, follow_points_that_were_merged_doubled_and_dropped)
 {
-  const Vector_3 a(0, 0, 0);
-  const Vector_3 b(1, 0, 0);
-  const Vector_3 c(2, 0, 0);
-  const Vector_3 minus_a(-0., 0, -0.);
+  const Vector3 a(0, 0, 0);
+  const Vector3 b(1, 0, 0);
+  const Vector3 c(2, 0, 0);
+  const Vector3 minus_a(-0., 0, -0.);
   std::vector<Vertex_label> labels = numbered_labels(3);
   // b is doubled in the mesh and its first copy has no node; a is twice in the file, c was dropped.
   labels[1].node = no_index;

@@ -138,12 +138,12 @@ TEST(Write_rig, glb_holds_joints_and_weights)
   ASSERT_EQ(rig.joints.size(), skin["joints"].size());
   const auto matrices = glb.numbers<float>(skin["inverseBindMatrices"]);
   ASSERT_EQ(16 * rig.joints.size(), matrices.size());
-  std::vector<CSCD::Vector_3> place(nodes.size());
+  std::vector<CSCD::Vector3> place(nodes.size());
   for (std::size_t j = 0; j < rig.joints.size(); ++j) { // parents come first
     const std::size_t node = skin["joints"][j];
     EXPECT_EQ(name(rig.joints[j]), nodes[node]["name"]);
     const nlohmann::json& offset = nodes[node]["translation"];
-    place[node] += CSCD::Vector_3(offset[0], offset[1], offset[2]);
+    place[node] += CSCD::Vector3(offset[0], offset[1], offset[2]);
     for (const std::size_t child : nodes[node].value("children", std::vector<std::size_t>())) {
       place[child] = place[node];
     }

@@ -7,7 +7,7 @@
 #include "support/shapes.h"
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace {
 using CSCD::Index;
 using CSCD::no_index;
 using CSCD::Triangulated_surface;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::Vertex_fan_table;
 using CSCD::internal::Front_end;
 using CSCD::internal::Geodesic_polar_coordinates;
@@ -76,10 +76,10 @@ struct Fixture
 TEST(Geodesic_polar_coordinates, is_exact_on_a_plane)
 {
   Fixture fixture(CSCD::test::subdivided_cube(5));
-  const Vector_3 center(0.5, 0.5, 1);
+  const Vector3 center(0.5, 0.5, 1);
   const Index source = CSCD::test::nearest_vertex(fixture.surface, center);
   const double error = fixture.max_relative_error(source, [&](Index vertex) {
-    const Vector_3 offset = fixture.surface.point(vertex) - center;
+    const Vector3 offset = fixture.surface.point(vertex) - center;
     return offset.z() == 0 ? offset.norm() : 0.;
   });
   // Single precision, added up over a few dozen triangles.
@@ -90,9 +90,9 @@ TEST(Geodesic_polar_coordinates, is_nearly_exact_on_a_cylinder)
 {
   Fixture fixture(CSCD::test::tube(6, 1, 48, CSCD::test::Tube_end::flat));
   const Index source = CSCD::test::nearest_vertex(fixture.surface, {3, 0, 1});
-  const Vector_3 from = fixture.surface.point(source);
+  const Vector3 from = fixture.surface.point(source);
   const double error = fixture.max_relative_error(source, [&](Index vertex) {
-    const Vector_3 to = fixture.surface.point(vertex);
+    const Vector3 to = fixture.surface.point(vertex);
     const double angle = std::acos(std::clamp(to.y() * from.y() + to.z() * from.z(), -1., 1.));
     const double distance = std::hypot(to.x() - from.x(), angle);
     // Beyond, the way over the flat ends may be shorter.
@@ -130,15 +130,15 @@ TEST(Geodesic_polar_coordinates, meets_itself_behind_the_body_only)
 {
   Fixture fixture(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   const Index source = CSCD::test::nearest_vertex(fixture.surface, {5, 0, 1});
-  const Vector_3 from = fixture.surface.point(source);
+  const Vector3 from = fixture.surface.point(source);
   Observer observer;
   observer.stop = 4;
   fixture.front.grow(source, no_cap, observer);
   ASSERT_FALSE(observer.meetings.empty());
   for (const auto& [vertex, neighbor] : observer.meetings) {
     ASSERT_NE(fixture.surface.find_halfedge(vertex, neighbor), no_index);
-    const Vector_3 middle = (fixture.surface.point(vertex) + fixture.surface.point(neighbor)) / 2;
-    const Vector_3 opposite(middle.x(), -from.y(), -from.z());
+    const Vector3 middle = (fixture.surface.point(vertex) + fixture.surface.point(neighbor)) / 2;
+    const Vector3 opposite(middle.x(), -from.y(), -from.z());
     EXPECT_LT((middle - opposite).norm(), 2 * 2 * pi / 24) << "two edges from the line opposite of the source";
   }
 }

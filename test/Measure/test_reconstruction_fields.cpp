@@ -28,15 +28,15 @@ using namespace CSCD;
 using namespace CSCD::internal;
 constexpr double pi = boost::math::double_constants::pi;
 
-Skeleton segment(const Vector_3& source, const Vector_3& target, double source_radius, double target_radius)
+Skeleton segment(const Vector3& source, const Vector3& target, double source_radius, double target_radius)
 {
   return {{source, target}, {source_radius, target_radius}, {{0, 1}}};
 }
 
 /// F of one edge by quadrature.
-double quadrature(const Skeleton& s, const Vector_3& point)
+double quadrature(const Skeleton& s, const Vector3& point)
 {
-  const Vector_3 along = s.points[1] - s.points[0];
+  const Vector3 along = s.points[1] - s.points[0];
   const auto integrand = [&](double t) {
     const double radius = (1 - t) * s.radii[0] + t * s.radii[1];
     const double square = (s.points[0] + t * along - point).squaredNorm();
@@ -52,12 +52,12 @@ TEST(Convolution_field, agrees_with_quadrature)
 {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> coordinate(-1, 1);
-  const auto point = [&] { return Vector_3(coordinate(random), coordinate(random), coordinate(random)); };
+  const auto point = [&] { return Vector3(coordinate(random), coordinate(random), coordinate(random)); };
   for (int i = 0; i < 200; ++i) {
     const Skeleton s =
         segment(point() / 4, point() / 4, 0.1 + std::abs(coordinate(random)), 0.1 + std::abs(coordinate(random)));
-    const Vector_3 near = s.points[0] + 0.1 * point();
-    for (const Vector_3& p : {near, point(), Vector_3(3 * point())}) {
+    const Vector3 near = s.points[0] + 0.1 * point();
+    for (const Vector3& p : {near, point(), Vector3(3 * point())}) {
       const double expected = quadrature(s, p);
       EXPECT_NEAR(1, Convolution_field(s).convolution(p) / expected, 1e-4) << i << ": " << testing::PrintToString(p);
     }
@@ -69,7 +69,7 @@ TEST(Convolution_field, a_long_line_gives_the_cylinder_of_its_radius)
   for (const double radius : {0.01, 1., 7.}) {
     const Convolution_field field(segment({0, 0, -100 * radius}, {0, 0, 100 * radius}, radius, radius));
     for (const double angle : {0., 0.4, 2.}) {
-      const Vector_3 direction(std::cos(angle), std::sin(angle), 0);
+      const Vector3 direction(std::cos(angle), std::sin(angle), 0);
       EXPECT_NEAR(0, field(radius * direction), 1e-5);
       EXPECT_NEAR(-0.5, field(radius / 2 * direction), 1e-5); // even across the surface
       EXPECT_NEAR(1, field(2 * radius * direction), 1e-4);
@@ -86,13 +86,13 @@ TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
   for (int i = 0; i < 200; ++i) {
-    const Vector_3 p(1 + coordinate(random), coordinate(random), coordinate(random));
+    const Vector3 p(1 + coordinate(random), coordinate(random), coordinate(random));
     // The hull is the union of all balls between the two.
     double least = 1e9;
     constexpr int steps = 20000;
     for (int k = 0; k <= steps; ++k) {
       const double t = double(k) / steps;
-      least = std::min(least, (p - Vector_3(2 * t, 0, 0)).norm() - (0.5 - 0.3 * t));
+      least = std::min(least, (p - Vector3(2 * t, 0, 0)).norm() - (0.5 - 0.3 * t));
     }
     EXPECT_NEAR(least, field(p), 1e-6) << testing::PrintToString(p);
   }
@@ -107,7 +107,7 @@ struct Surface_facts
     Field_surface result = triangulate_field(field, s, cell_size);
     unresolved_fraction = result.unresolved_fraction;
     number_of_faces = result.triangles.faces.size();
-    for (const Vector_3& p : result.triangles.points) {
+    for (const Vector3& p : result.triangles.points) {
       max_error = std::max(max_error, std::abs(field(p)));
     }
     const Triangulated_surface surface(std::move(result.triangles));
@@ -154,7 +154,7 @@ TEST(Estimate_radii, are_exact_on_a_cone)
 {
   // Points in planes across the axis, whose distances from it grow linearly.
   const Skeleton s{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}, {}, {{0, 1}, {1, 2}, {2, 3}}};
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   for (int i = 0; i <= 400; ++i) {
     const double x = 0.01 * i;
     points.emplace_back(x, (1 + x) * std::cos(i), (1 + x) * std::sin(i));

@@ -9,7 +9,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>
 
@@ -75,15 +75,15 @@ Indexed_triangles ring_with_thin_place(std::size_t around, double thickness, boo
   constexpr double radius = 6;
   Indexed_triangles triangles = to_indexed_triangles(CSCD::test::torus(radius, 1, around));
   const double step = 2 * CSCD::test::pi * double(around) / double(triangles.points.size()); // from ring to ring
-  for (CSCD::Vector_3& point : triangles.points) {
+  for (CSCD::Vector3& point : triangles.points) {
     const double angle = std::atan2(point.y(), point.x());
-    const CSCD::Vector_3 center = radius * CSCD::Vector_3(std::cos(angle), std::sin(angle), 0);
+    const CSCD::Vector3 center = radius * CSCD::Vector3(std::cos(angle), std::sin(angle), 0);
     if (std::abs(angle) < step / 2) {
       point = center + thickness * (point - center);
     } else if (is_fold && std::abs(angle) < 3 * step / 2) {
       constexpr double share = 0.2; // of the way that is left
       const double back = (share - 1) * angle;
-      const CSCD::Vector_3 old = point;
+      const CSCD::Vector3 old = point;
       point.x() = std::cos(back) * old.x() - std::sin(back) * old.y();
       point.y() = std::sin(back) * old.x() + std::cos(back) * old.y();
     }
@@ -110,7 +110,7 @@ TEST(split_pinched_vertices, gives_every_fan_a_vertex)
 {
   // Two tetrahedra that touch in vertex 0, and one triangle of a third fan.
   Indexed_triangles triangles;
-  triangles.points.assign(9, CSCD::Vector_3::Zero());
+  triangles.points.assign(9, CSCD::Vector3::Zero());
   for (Index i = 0; i < 9; ++i) {
     triangles.points[i].x() = i;
   }

@@ -11,7 +11,7 @@
 #include <CSCD/Points/consolidate_points.h>
 #include <CSCD/Points/recognize_tree_scan.h>
 #include <CSCD/Points/reconstruct_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ namespace {
 
 using CSCD::Index;
 using CSCD::Point_cloud;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::internal::consolidate_points;
 using CSCD::internal::Consolidated_cloud;
 using CSCD::test::Triple;
@@ -33,9 +33,9 @@ using CSCD::test::Triple;
 constexpr double torus_radius = 3;
 constexpr double tube_radius = 1;
 
-std::vector<Vector_3> torus_points(std::size_t number, double noise)
+std::vector<Vector3> torus_points(std::size_t number, double noise)
 {
-  std::vector<Vector_3> result;
+  std::vector<Vector3> result;
   const auto torus = CSCD::test::torus(torus_radius, tube_radius, 64);
   for (const Triple& p : CSCD::test::shaken(CSCD::test::sampled(torus, number, 1), noise, 2)) {
     result.emplace_back(p[0], p[1], p[2]);
@@ -43,12 +43,12 @@ std::vector<Vector_3> torus_points(std::size_t number, double noise)
   return result;
 }
 
-double distance_from_torus(const Vector_3& p)
+double distance_from_torus(const Vector3& p)
 {
   return std::abs(std::hypot(std::hypot(p.x(), p.y()) - torus_radius, p.z()) - tube_radius);
 }
 
-Consolidated_cloud consolidated(std::vector<Vector_3> points)
+Consolidated_cloud consolidated(std::vector<Vector3> points)
 {
   return consolidate_points(CSCD::make_point_cloud(std::move(points), {}));
 }
@@ -57,7 +57,7 @@ Consolidated_cloud consolidated(std::vector<Vector_3> points)
 double mean_distance(const Point_cloud& cloud)
 {
   double sum = 0;
-  for (const Vector_3& point : cloud.points) {
+  for (const Vector3& point : cloud.points) {
     sum += distance_from_torus(cloud.normalization.to_input(point));
   }
   return sum / double(cloud.points.size());
@@ -65,8 +65,8 @@ double mean_distance(const Point_cloud& cloud)
 
 TEST(consolidate_points, leaves_a_cloud_as_it_is_that_is_not_dense)
 {
-  const std::vector<Vector_3> points = torus_points(3000, 0);
-  const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector_3>(points), {});
+  const std::vector<Vector3> points = torus_points(3000, 0);
+  const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector3>(points), {});
   const Consolidated_cloud result = consolidated(points);
   EXPECT_TRUE(cloud.points == result.cloud.points);
   EXPECT_TRUE(cloud.input_point == result.cloud.input_point);
@@ -76,7 +76,7 @@ TEST(consolidate_points, leaves_a_cloud_as_it_is_that_is_not_dense)
 
 TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_which_stands_for_it)
 {
-  const std::vector<Vector_3> points = torus_points(60000, 0);
+  const std::vector<Vector3> points = torus_points(60000, 0);
   const Consolidated_cloud result = consolidated(points);
   const Point_cloud& cloud = result.cloud;
   EXPECT_GT(15000u, cloud.points.size());
@@ -88,7 +88,7 @@ TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_whi
   const double area = 4 * M_PI * M_PI * torus_radius * tube_radius;
   const double greatest = 3 * std::sqrt(area / double(cloud.points.size()) / M_PI);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector_3 kept = cloud.normalization.to_input(cloud.points[cloud.input_point[i]]);
+    const Vector3 kept = cloud.normalization.to_input(cloud.points[cloud.input_point[i]]);
     ASSERT_GE(greatest, (kept - points[i]).norm()) << "point " << i;
   }
 }
@@ -96,7 +96,7 @@ TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_whi
 TEST(consolidate_points, keeps_some_twenty_thousand_points_of_a_long_chain_at_most)
 {
   // Its rings are so thin, compared with the chain, that they stay bent between points.
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   for (const Triple& p : CSCD::test::sampled(CSCD::test::chain_of_rings(100, 12), 200000, 1)) {
     points.emplace_back(p[0], p[1], p[2]);
   }
@@ -106,8 +106,8 @@ TEST(consolidate_points, keeps_some_twenty_thousand_points_of_a_long_chain_at_mo
 TEST(consolidate_points, averages_noise_away)
 {
   constexpr double noise = 0.05;
-  const std::vector<Vector_3> points = torus_points(60000, noise);
-  const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector_3>(points), {});
+  const std::vector<Vector3> points = torus_points(60000, noise);
+  const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector3>(points), {});
   const Consolidated_cloud result = consolidated(points);
   EXPECT_TRUE(result.cloud.is_averaged);
   EXPECT_LT(mean_distance(result.cloud), 0.5 * mean_distance(cloud));
@@ -116,7 +116,7 @@ TEST(consolidate_points, averages_noise_away)
 TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
 {
   constexpr std::size_t number = 20000;
-  std::vector<Vector_3> points = torus_points(number, 0);
+  std::vector<Vector3> points = torus_points(number, 0);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> wide(-4, 4);
   std::uniform_real_distribution<double> high(-1, 1);
@@ -126,7 +126,7 @@ TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
   const Consolidated_cloud result = consolidated(points);
   // Points near the torus cannot be distinguished from it.
   const Point_cloud& cloud = result.cloud;
-  for (const Vector_3& point : cloud.points) {
+  for (const Vector3& point : cloud.points) {
     EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));
   }
   EXPECT_LT(number / 10, result.number_of_outliers);
@@ -139,16 +139,16 @@ TEST(is_scan_of_trees, tells_rods_from_a_torus)
   std::uniform_real_distribution<double> along(-1, 1);
   std::normal_distribution<double> across(0, 0.002);
   std::uniform_int_distribution<int> which(0, 39);
-  std::vector<Vector_3> directions;
+  std::vector<Vector3> directions;
   for (int i = 0; i < 40; ++i) {
-    directions.push_back(Vector_3(along(random), along(random), along(random)));
+    directions.push_back(Vector3(along(random), along(random), along(random)));
   }
-  std::vector<Vector_3> rods;
+  std::vector<Vector3> rods;
   for (int i = 0; i < 30000; ++i) {
     rods.push_back(along(random) * directions[std::size_t(which(random))] +
-                   Vector_3(across(random), across(random), across(random)));
+                   Vector3(across(random), across(random), across(random)));
   }
-  const auto forms_of = [](std::vector<Vector_3> points) {
+  const auto forms_of = [](std::vector<Vector3> points) {
     return CSCD::internal::forms_of(CSCD::make_point_cloud(std::move(points), {}).points);
   };
   EXPECT_LT(0.1, forms_of(rods).along_curves);
@@ -157,10 +157,10 @@ TEST(is_scan_of_trees, tells_rods_from_a_torus)
 }
 
 /// Circles around the z axis, on a ball of radius 1, `ratio` times as far apart as their points are.
-std::vector<Vector_3> sliced_ball(std::size_t number, double ratio)
+std::vector<Vector3> sliced_ball(std::size_t number, double ratio)
 {
   const double spacing = std::sqrt(4 * 3.141592653589793 / (double(number) * ratio));
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   for (double latitude = -1.5; latitude < 1.5; latitude += ratio * spacing) {
     const double step = spacing / std::cos(latitude);
     for (double angle = 0; angle < 6.283185307179586; angle += step) {

@@ -10,7 +10,7 @@
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ inline Separator make_separator(const CSCD::Triangulated_surface& surface, std::
 {
   Separator separator;
   separator.crossings = std::move(crossings);
-  std::vector<CSCD::Vector_3> points;
+  std::vector<CSCD::Vector3> points;
   CSCD::internal::crossing_points(surface, separator.crossings, points);
   CSCD::internal::set_measures(separator, points);
   separator.source = surface.origin(separator.crossings.front().halfedge);
@@ -34,8 +34,8 @@ inline Separator make_separator(const CSCD::Triangulated_surface& surface, std::
 }
 
 /// The cycle that the plane through `point` normal to `axis` cuts off `surface` and that comes nearest to `near`.
-inline Separator section_separator(const CSCD::Triangulated_surface& surface, const CSCD::Vector_3& point,
-                                   const CSCD::Vector_3& axis, const CSCD::Vector_3& near)
+inline Separator section_separator(const CSCD::Triangulated_surface& surface, const CSCD::Vector3& point,
+                                   const CSCD::Vector3& axis, const CSCD::Vector3& near)
 {
   CSCD::internal::Plane_section section(surface);
   Separator best;

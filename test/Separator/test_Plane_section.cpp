@@ -9,7 +9,7 @@
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::internal::Plane_section;
 using CSCD::test::is_closed_curve;
 using CSCD::test::pi;
@@ -45,25 +45,25 @@ TEST(Plane_section, is_an_ellipse_where_the_plane_is_tilted)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(20, 1, 48, CSCD::test::Tube_end::flat));
   Plane_section section(surface);
-  const Vector_3 axis = Vector_3(1, 1, 0).normalized();
-  const Vector_3 center(10, 0, 0);
+  const Vector3 axis = Vector3(1, 1, 0).normalized();
+  const Vector3 center(10, 0, 0);
   const Index vertex = CSCD::test::nearest_vertex(surface, {10, 0, 1});
   ASSERT_TRUE(section.cut_at_vertex(vertex, axis, any_length));
   // Half axes 1 and the square root of 2: the complete elliptic integral 4 sqrt(2) E(1/2).
   EXPECT_NEAR(section.length(), 7.6404, 0.02);
-  for (const Vector_3& point : section.points()) {
+  for (const Vector3& point : section.points()) {
     EXPECT_NEAR(axis.dot(point - surface.point(vertex)), 0, 1e-3);
   }
 }
 
 TEST(Plane_section, closes_for_every_vertex_and_every_axis)
 {
-  const std::vector<Vector_3> axes{{1, 0, 0},
-                                   {0, 1, 0},
-                                   {0, 0, -1},
-                                   Vector_3(1, 1, 0).normalized(),
-                                   Vector_3(1, 1, 1).normalized(),
-                                   Vector_3(0.3, -0.5, 0.7).normalized()};
+  const std::vector<Vector3> axes{{1, 0, 0},
+                                  {0, 1, 0},
+                                  {0, 0, -1},
+                                  Vector3(1, 1, 0).normalized(),
+                                  Vector3(1, 1, 1).normalized(),
+                                  Vector3(0.3, -0.5, 0.7).normalized()};
   for (const CSCD::test::Shape& shape :
        {CSCD::test::subdivided_cube(2), CSCD::test::beam(), CSCD::test::plate_with_hole(), CSCD::test::l_bracket(),
         CSCD::test::tetrahedron(), CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.3, 1)}) {
@@ -71,7 +71,7 @@ TEST(Plane_section, closes_for_every_vertex_and_every_axis)
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
     Plane_section section(surface);
     for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-      for (const Vector_3& axis : axes) {
+      for (const Vector3& axis : axes) {
         bool is_minimum = true;
         for (const Index h : surface.outgoing(vertex)) {
           is_minimum = is_minimum && axis.dot(surface.point(surface.target(h))) >= axis.dot(surface.point(vertex));
@@ -93,7 +93,7 @@ TEST(Plane_section, knows_the_axis_of_a_tube_and_of_a_cone)
     SCOPED_TRACE(shape.name);
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
     Plane_section section(surface);
-    for (const Vector_3& tilted : {Vector_3(1, 0, 0), Vector_3(1, 0.3, 0), Vector_3(1, -0.2, 0.4)}) {
+    for (const Vector3& tilted : {Vector3(1, 0, 0), Vector3(1, 0.3, 0), Vector3(1, -0.2, 0.4)}) {
       ASSERT_TRUE(
           section.cut_at_vertex(CSCD::test::nearest_vertex(surface, {5, 0, 1}), tilted.normalized(), any_length));
       EXPECT_GT(std::fabs(section.symmetry_axis().x()), std::cos(0.05));

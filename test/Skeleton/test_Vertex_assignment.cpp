@@ -12,7 +12,7 @@
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ namespace {
 using CSCD::Index;
 using CSCD::Separator;
 using CSCD::Skeleton_builder;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::internal::Vertex_assignment;
 using CSCD::test::Shape_solid;
 
@@ -37,7 +37,7 @@ struct Cut_shape
   Cut_shape(const CSCD::test::Shape& shape, const std::vector<double>& places) : solid(shape)
   {
     for (const double x : places) {
-      const Vector_3 point = solid.at(x, 0, 0);
+      const Vector3 point = solid.at(x, 0, 0);
       separators.push_back(CSCD::test::section_separator(solid.surface(), point, {1, 0, 0}, point));
     }
     packing = std::make_unique<CSCD::internal::Separator_packing>(solid.surface(), separators,
@@ -76,7 +76,7 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
   const Shape_solid solid(CSCD::test::bent_tube(3, 6, 0.4, 24));
   std::vector<Separator> separators;
   for (const double angle : {0.5, 2., 4., 5.5}) {
-    const Vector_3 point = solid.at(3 * std::cos(angle), 3 * std::sin(angle), 0);
+    const Vector3 point = solid.at(3 * std::cos(angle), 3 * std::sin(angle), 0);
     separators.push_back(
         CSCD::test::section_separator(solid.surface(), point, {-std::sin(angle), std::cos(angle), 0}, point));
   }
@@ -87,15 +87,15 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
   const Vertex_assignment assignment(solid.surface(), packing.cut_graph(), skeleton.graph);
   for (Index vertex = 0; vertex < solid.surface().number_of_vertices(); ++vertex) {
     const std::vector<Index>& nodes = assignment.nodes(packing.cut_graph().piece_of_vertex(vertex));
-    const Vector_3& point = solid.surface().point(vertex);
+    const Vector3& point = solid.surface().point(vertex);
     const double distance = (skeleton.graph[assignment.node(vertex)].position - point).norm();
     ASSERT_TRUE(std::binary_search(nodes.begin(), nodes.end(), assignment.node(vertex)));
     for (Index node : nodes) {
       ASSERT_LE(distance, (skeleton.graph[node].position - point).norm() + 1e-12);
     }
-    const Vector_3 place = solid.to_shape(point);
-    const Vector_3 node_place = solid.to_shape(skeleton.graph[assignment.node(vertex)].position);
-    ASSERT_GT(Vector_3(place.x(), place.y(), 0).normalized().dot(node_place.normalized()), 0.5) << "on the same side";
+    const Vector3 place = solid.to_shape(point);
+    const Vector3 node_place = solid.to_shape(skeleton.graph[assignment.node(vertex)].position);
+    ASSERT_GT(Vector3(place.x(), place.y(), 0).normalized().dot(node_place.normalized()), 0.5) << "on the same side";
   }
 }
 

@@ -19,22 +19,22 @@ namespace {
 
 using CSCD::Index;
 using CSCD::Triangulated_surface;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::internal::Solid_queries;
 using CSCD::test::to_surface;
 
-Vector_3 random_vector(std::mt19937_64& random, double size)
+Vector3 random_vector(std::mt19937_64& random, double size)
 {
   const double x = CSCD::test::random_signed_unit(random);
   const double y = CSCD::test::random_signed_unit(random);
-  return size * Vector_3(x, y, CSCD::test::random_signed_unit(random));
+  return size * Vector3(x, y, CSCD::test::random_signed_unit(random));
 }
 
 TEST(Solid_queries, finds_the_middle_behind_faces_edges_and_vertices)
 {
   const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
   const Solid_queries queries(surface);
-  const Vector_3 center(0.5, 0.5, 0.5);
+  const Vector3 center(0.5, 0.5, 0.5);
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
@@ -42,11 +42,11 @@ TEST(Solid_queries, finds_the_middle_behind_faces_edges_and_vertices)
           continue;
         }
         // Faces are met in the interior of one of their triangles.
-        const Vector_3 shift(x == 0 ? 0.03 : 0, y == 0 ? 0.06 : 0, z == 0 ? 0.02 : 0);
+        const Vector3 shift(x == 0 ? 0.03 : 0, y == 0 ? 0.06 : 0, z == 0 ? 0.02 : 0);
         const bool is_over_face = std::abs(x) + std::abs(y) + std::abs(z) == 1;
-        const Vector_3 aside = is_over_face ? shift : Vector_3(0, 0, 0);
+        const Vector3 aside = is_over_face ? shift : Vector3(0, 0, 0);
         for (const double distance : {1., 1e-3}) {
-          const Vector_3 point = center + aside + (0.5 + distance) * Vector_3(x, y, z);
+          const Vector3 point = center + aside + (0.5 + distance) * Vector3(x, y, z);
           const auto middle = queries.middle_behind(point);
           ASSERT_TRUE(middle) << testing::PrintToString(point);
           EXPECT_LT((*middle - center - aside).norm(), 1e-12) << testing::PrintToString(point);
@@ -60,8 +60,8 @@ TEST(Solid_queries, meets_edges_and_vertices_once)
 {
   const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(1));
   const Solid_queries queries(surface);
-  for (const Vector_3& target : surface.points()) {
-    const Vector_3 center = Vector_3::Constant(0.5);
+  for (const Vector3& target : surface.points()) {
+    const Vector3 center = Vector3::Constant(0.5);
     const auto hit = queries.first_hit(center, target - center);
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->distance, (target - center).norm(), 1e-14);
@@ -77,8 +77,8 @@ TEST(Solid_queries, counts_the_crossings_of_a_segment)
   std::vector<double> distances;
   std::size_t most = 0;
   for (int i = 0; i < 500; ++i) {
-    const Vector_3 from = random_vector(random, 4);
-    const Vector_3 to = random_vector(random, 4);
+    const Vector3 from = random_vector(random, 4);
+    const Vector3 to = random_vector(random, 4);
     queries.crossings(from, to, distances);
     most = std::max(most, distances.size());
     ASSERT_TRUE(std::is_sorted(distances.begin(), distances.end()));
@@ -110,16 +110,16 @@ TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
   const Solid_queries queries(surface);
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
-    const Vector_3 point = random_vector(random, 4);
+    const Vector3 point = random_vector(random, 4);
     const double found = (queries.closest_point(point).point - point).norm();
     const Index any = Index(i) % surface.number_of_faces();
     EXPECT_EQ(found, (queries.closest_point(point, any).point - point).norm()); // for any hint
     // No point of a fine sample of the faces is nearer.
     for (Index f = 0; f < surface.number_of_faces(); ++f) {
-      const Vector_3& a = surface.point(surface.origin(3 * f));
-      const Vector_3& b = surface.point(surface.origin(3 * f + 1));
-      const Vector_3& c = surface.point(surface.origin(3 * f + 2));
-      for (const Vector_3& sample : {a, Vector_3((a + b) / 2), Vector_3((a + b + c) / 3)}) {
+      const Vector3& a = surface.point(surface.origin(3 * f));
+      const Vector3& b = surface.point(surface.origin(3 * f + 1));
+      const Vector3& c = surface.point(surface.origin(3 * f + 2));
+      for (const Vector3& sample : {a, Vector3((a + b) / 2), Vector3((a + b + c) / 3)}) {
         ASSERT_LE(found, (sample - point).norm() + 1e-14);
       }
     }
@@ -137,16 +137,16 @@ TEST(Solid_queries, takes_bodies_that_overlap_for_one)
     }
     const Triangulated_surface surface = to_surface(both);
     const Solid_queries queries(surface);
-    const auto is_in_a_cube = [](const Vector_3& point) {
-      const Vector_3 in_other = point - Vector_3(0.5, 0.25, 0.125);
+    const auto is_in_a_cube = [](const Vector3& point) {
+      const Vector3 in_other = point - Vector3(0.5, 0.25, 0.125);
       return (point.minCoeff() > 0 && point.maxCoeff() < 1) || (in_other.minCoeff() > 0 && in_other.maxCoeff() < 1);
     };
     std::mt19937_64 random(6);
     std::vector<double> distances;
     std::size_t number_of_passages = 0;
     for (int i = 0; i < 1000; ++i) {
-      const Vector_3 from = random_vector(random, 1) + Vector_3(0.75, 0.6, 0.55);
-      const Vector_3 to = random_vector(random, 1) + Vector_3(0.75, 0.6, 0.55);
+      const Vector3 from = random_vector(random, 1) + Vector3(0.75, 0.6, 0.55);
+      const Vector3 to = random_vector(random, 1) + Vector3(0.75, 0.6, 0.55);
       ASSERT_EQ(queries.is_inside(from), is_in_a_cube(from)) << testing::PrintToString(from);
       // From one crossing to the next, inside and outside alternate.
       queries.crossings(from, to, distances);
@@ -154,7 +154,7 @@ TEST(Solid_queries, takes_bodies_that_overlap_for_one)
       bool is_inside = is_in_a_cube(from);
       double last = 0;
       for (const double distance : distances) {
-        const Vector_3 middle = from + (last + distance) / 2 * (to - from).normalized();
+        const Vector3 middle = from + (last + distance) / 2 * (to - from).normalized();
         ASSERT_EQ(is_in_a_cube(middle), is_inside) << testing::PrintToString(middle);
         is_inside = !is_inside;
         last = distance;

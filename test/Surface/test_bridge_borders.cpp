@@ -21,7 +21,7 @@ namespace {
 using CSCD::Index;
 using CSCD::Indexed_triangles;
 using CSCD::Triangulated_surface;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using CSCD::test::Shape;
 
 struct Bridged

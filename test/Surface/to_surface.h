@@ -18,7 +18,7 @@ inline CSCD::Triangulated_surface to_surface(const Shape& shape)
 }
 
 /// The vertex of `surface` that is nearest to `point`.
-inline CSCD::Index nearest_vertex(const CSCD::Triangulated_surface& surface, const CSCD::Vector_3& point)
+inline CSCD::Index nearest_vertex(const CSCD::Triangulated_surface& surface, const CSCD::Vector3& point)
 {
   CSCD::Index nearest = 0;
   for (CSCD::Index vertex = 1; vertex < surface.number_of_vertices(); ++vertex) {

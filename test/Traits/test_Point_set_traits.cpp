@@ -20,7 +20,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton_from_points.h>
@@ -42,7 +42,7 @@ using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Points = std::vector<Point>;
 using CSCD::Index;
-using CSCD::Vector_3;
+using CSCD::Vector3;
 using Traits = CSCD::Point_set_traits<Points>;
 using Policies = CSCD::Published_policies;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
@@ -91,9 +91,9 @@ TEST(Point_set_traits, know_the_body)
   const Points points = CSCD::test::to_points<Point>(sampled(CSCD::test::torus(3, 1, 48), 4000, 1));
   const Traits traits(points);
   const double unit = traits.to_input_length(1);
-  const Point center = traits.to_input_point(Vector_3::Zero());
+  const Point center = traits.to_input_point(Vector3::Zero());
   const auto normalized = [&](double x, double y, double z) {
-    return Vector_3((x - center.x()) / unit, (y - center.y()) / unit, (z - center.z()) / unit);
+    return Vector3((x - center.x()) / unit, (y - center.y()) / unit, (z - center.z()) / unit);
   };
   EXPECT_TRUE(traits.surface().is_inside(normalized(3, 0, 0)));
   EXPECT_FALSE(traits.surface().is_inside(normalized(0, 0, 0)));

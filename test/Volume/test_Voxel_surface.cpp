@@ -112,7 +112,7 @@ double area_of(const Voxel_surface& surface)
 {
   double result = 0;
   for (const auto& [a, b, c] : surface.triangles.faces) {
-    const std::vector<CSCD::Vector_3>& points = surface.triangles.points;
+    const std::vector<CSCD::Vector3>& points = surface.triangles.points;
     result += (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
   }
   return result;
@@ -167,7 +167,7 @@ TEST(Voxel_surface, is_in_space_and_oriented_outwards)
   Volume volume = make_volume({20, 20, 20}, [](int, int, int) { return 3; });
   volume.grid.origin = {100, 0, -5};
   for (const double sign : {1., -1.}) {
-    volume.grid.axes = {CSCD::Vector_3(0, 0.5, 0), CSCD::Vector_3(sign * 2, 0, 0), CSCD::Vector_3(0, 0.1, 3)};
+    volume.grid.axes = {CSCD::Vector3(0, 0.5, 0), CSCD::Vector3(sign * 2, 0, 0), CSCD::Vector3(0, 0.1, 3)};
     const Voxel_surface surface = make_voxel_surfaces(volume).front();
     EXPECT_EQ(surface.label, 3U);
     EXPECT_TRUE(is_closed_manifold(surface));
@@ -175,7 +175,7 @@ TEST(Voxel_surface, is_in_space_and_oriented_outwards)
     EXPECT_LT(volume_inside(surface), 1.01 * 8000 * 3);
     const auto [lowest, highest] =
         std::minmax_element(surface.triangles.points.begin(), surface.triangles.points.end(),
-                            [](const CSCD::Vector_3& a, const CSCD::Vector_3& b) { return a.z() < b.z(); });
+                            [](const CSCD::Vector3& a, const CSCD::Vector3& b) { return a.z() < b.z(); });
     EXPECT_NEAR(lowest->z(), -5 - 3 * 0.5, 3 * 0.45); // half a voxel below the first center, less what smoothing may do
     EXPECT_NEAR((lowest->z() + highest->z()) / 2, -5 + 3 * 9.5, 3 * 0.05);
   }
@@ -201,7 +201,7 @@ TEST(Voxel_surface, keeps_a_voxel_from_vanishing)
   const Voxel_surface surface = make_voxel_surfaces(make_volume({1, 1, 1}, [](int, int, int) { return 1; })).front();
   EXPECT_EQ(surface.triangles.points.size(), 8U);
   // Each corner stays in its octant, .05 away from the others.
-  for (const CSCD::Vector_3& point : surface.triangles.points) {
+  for (const CSCD::Vector3& point : surface.triangles.points) {
     EXPECT_GE(point.cwiseAbs().minCoeff(), 0.05 - 1e-9);
   }
   EXPECT_GE(volume_inside(surface), 0.1 * 0.1 * 0.1 - 1e-9);

@@ -10,7 +10,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <utility>
 #include <vector>
@@ -69,7 +69,7 @@ public:
                                    Skeletonization_report&) const
   {
     Embedded_skeleton result;
-    const Index node = result.graph.add_node(Vector_3(1, 2, 3), double(packing.packed().size()));
+    const Index node = result.graph.add_node(Vector3(1, 2, 3), double(packing.packed().size()));
     result.radius = {double(packing.packed().size())};
     result.node_of_vertex.assign(surface.triangulation().number_of_vertices(), node);
     return result;

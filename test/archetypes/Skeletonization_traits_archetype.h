@@ -8,7 +8,7 @@
 
 #include "Point_archetype.h"
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <array>
 #include <cstddef>
@@ -42,7 +42,7 @@ public:
 
   const Surface& surface() const { return m_surface; }
   std::array<Input_descriptor, 1> descriptors(Index vertex) const { return {Input_descriptor(vertex)}; }
-  Point to_input_point(const Vector_3& p) const { return {2 * p.x(), 2 * p.y(), 2 * p.z()}; }
+  Point to_input_point(const Vector3& p) const { return {2 * p.x(), 2 * p.y(), 2 * p.z()}; }
   double to_input_length(double length) const { return 2 * length; }
   void describe_input(Skeletonization_report& report) const
   {

@@ -7,7 +7,7 @@
 #define CSCD_TEST_ARCHETYPES_SURFACE_ARCHETYPE_H
 
 #include "support/Shape.h"
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ public:
   Index target(Index halfedge) const { return m_ends[halfedge].second; }
   Index twin(Index halfedge) const { return m_twins[halfedge]; }
   Halfedge_range_archetype outgoing(Index vertex) const { return Halfedge_range_archetype(m_outgoing[vertex]); }
-  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Vector3>& points() const { return m_points; }
   Number_archetype length(Index halfedge) const
   {
     return Number_archetype((m_points[target(halfedge)] - m_points[origin(halfedge)]).norm());
@@ -100,7 +100,7 @@ public:
   Number_archetype vertex_area(Index vertex) const { return Number_archetype(m_area[vertex]); }
 
 private:
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   std::vector<std::pair<Index, Index>> m_ends;
   std::vector<Index> m_twins;
   std::vector<std::vector<Index>> m_outgoing;
@@ -112,7 +112,7 @@ class Surface_archetype
 {
 public:
   /// \param nearest_of_middle gives the point of the middle that is nearest to a point \param radius of the body
-  Surface_archetype(const Shape& shape, std::function<Vector_3(const Vector_3&)> nearest_of_middle, double radius)
+  Surface_archetype(const Shape& shape, std::function<Vector3(const Vector3&)> nearest_of_middle, double radius)
       : m_triangulation(shape), m_nearest_of_middle(std::move(nearest_of_middle)), m_radius(radius)
   {
   }
@@ -121,9 +121,9 @@ public:
   ~Surface_archetype() = default;
 
   const Triangulation_archetype& triangulation() const { return m_triangulation; }
-  bool is_inside(const Vector_3& p) const { return height(p) < 0; }
-  std::optional<Vector_3> middle_behind(const Vector_3& p) const { return m_nearest_of_middle(p); }
-  void crossings(const Vector_3& p, const Vector_3& q, std::vector<double>& distances) const
+  bool is_inside(const Vector3& p) const { return height(p) < 0; }
+  std::optional<Vector3> middle_behind(const Vector3& p) const { return m_nearest_of_middle(p); }
+  void crossings(const Vector3& p, const Vector3& q, std::vector<double>& distances) const
   {
     distances.clear();
     const double length = (q - p).norm();
@@ -139,10 +139,10 @@ public:
   }
 
 private:
-  double height(const Vector_3& p) const { return (p - m_nearest_of_middle(p)).norm() - m_radius; }
+  double height(const Vector3& p) const { return (p - m_nearest_of_middle(p)).norm() - m_radius; }
 
   Triangulation_archetype m_triangulation;
-  std::function<Vector_3(const Vector_3&)> m_nearest_of_middle;
+  std::function<Vector3(const Vector3&)> m_nearest_of_middle;
   double m_radius;
 };
 

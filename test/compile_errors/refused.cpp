@@ -70,8 +70,8 @@ void points_as_mesh()
 struct Surface_without_crossings
 {
   const CSCD::Triangulated_surface& triangulation() const;
-  bool is_inside(const CSCD::Vector_3& p) const;
-  std::optional<CSCD::Vector_3> middle_behind(const CSCD::Vector_3& p) const;
+  bool is_inside(const CSCD::Vector3& p) const;
+  std::optional<CSCD::Vector3> middle_behind(const CSCD::Vector3& p) const;
 };
 
 // expected error: CSCD: SkeletonizationSurface requires s.crossings(p, q, v) const, which fills a std::vector<double>
@@ -101,7 +101,7 @@ struct Traits_without_descriptors
   {
   };
   const Surface& surface() const;
-  Point to_input_point(const CSCD::Vector_3& p) const;
+  Point to_input_point(const CSCD::Vector3& p) const;
   double to_input_length(double length) const;
   void describe_input(CSCD::Skeletonization_report& report) const;
 };

@@ -14,7 +14,7 @@ FOLDERS = ["internal", "Surface", "Separator", "Packing", "Local", "Skeleton", "
            "Traits", "", "Measure", "Tree", "Application", "IO"]
 # Headers of the top level that every folder may include. They include nothing but each other and `internal`.
 LEAVES = {"Named_parameters.h", "Options.h", "Skeleton.h", "Skeleton_graph.h", "Skeletonization_report.h",
-          "Skeletonization_visitor.h", "Vector_3.h", "exceptions.h", "input_concepts.h", "version.h"}
+          "Skeletonization_visitor.h", "Vector3.h", "exceptions.h", "input_concepts.h", "version.h"}
 INCLUDE = re.compile(r"^#\s*include <CSCD/([\w/.]+)>", re.MULTILINE)
 
 

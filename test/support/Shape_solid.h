@@ -11,7 +11,7 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <utility>
 
@@ -28,9 +28,9 @@ public:
   const Triangulated_surface& surface() const { return m_solid.triangulation(); }
 
   /// The point of the solid that is (x, y, z) on the shape.
-  Vector_3 at(double x, double y, double z) const { return m_solid.normalization().from_input({x, y, z}); }
+  Vector3 at(double x, double y, double z) const { return m_solid.normalization().from_input({x, y, z}); }
   /// The point of the shape that is `point` on the solid.
-  Vector_3 to_shape(const Vector_3& point) const { return m_solid.normalization().to_input(point); }
+  Vector3 to_shape(const Vector3& point) const { return m_solid.normalization().to_input(point); }
   /// The length 1 of the solid in the unit of the shape.
   double unit() const { return m_solid.normalization().unit; }
 

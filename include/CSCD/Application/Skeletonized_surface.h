@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <string>

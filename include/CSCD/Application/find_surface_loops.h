@@ -8,7 +8,7 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Traits/read_mesh.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -58,9 +58,9 @@ inline constexpr double default_min_constriction_depth = 0.3;
 namespace internal {
 
 /// See `CSCD::find_surface_loops()`.
-std::vector<Surface_loop<Vector_3>> find_surface_loops(std::vector<Vector_3> points,
-                                                       std::vector<std::array<Index, 3>> faces, unsigned random_seed,
-                                                       double min_depth);
+std::vector<Surface_loop<Vector3>> find_surface_loops(std::vector<Vector3> points,
+                                                      std::vector<std::array<Index, 3>> faces, unsigned random_seed,
+                                                      double min_depth);
 
 } // namespace internal
 
@@ -110,15 +110,15 @@ auto find_surface_loops(const TriangleMesh& mesh, const NamedParameters& np = pa
   const auto point_map = internal::vertex_point_map(mesh, np);
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   auto arrays = internal::read_mesh(mesh, point_map);
-  const std::vector<Surface_loop<Vector_3>> loops = internal::find_surface_loops(
+  const std::vector<Surface_loop<Vector3>> loops = internal::find_surface_loops(
       std::move(arrays.points), std::move(arrays.faces),
       unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0U)), min_depth);
   std::vector<Surface_loop<Point>> result;
   result.reserve(loops.size());
-  for (const Surface_loop<Vector_3>& loop : loops) {
+  for (const Surface_loop<Vector3>& loop : loops) {
     result.push_back({loop.kind, loop.length, loop.depth, {}});
     result.back().points.reserve(loop.points.size());
-    for (const Vector_3& point : loop.points) {
+    for (const Vector3& point : loop.points) {
       result.back().points.push_back(internal::make_point<Point>(point));
     }
   }

@@ -9,7 +9,7 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <array>
@@ -27,7 +27,7 @@ struct Rig_joint
   std::optional<std::size_t> parent{}; ///< the number of the joint before it; none for a root
   Index node = no_index;               ///< the node of the skeleton at its place
   Index branch = no_index;             ///< the branch of that node
-  Vector_3 point{};                    ///< of the node
+  Vector3 point{};                     ///< of the node
   double radius = 0;                   ///< of the node
   bool is_tip = false;                 ///< whether a limb ends in it, so that it moves nothing
 };

@@ -9,7 +9,7 @@
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Traits/read_mesh.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/range/iterator_range_core.hpp>

@@ -7,7 +7,7 @@
 #define CSCD_GRAPH_GRAPH_SEPARATOR_FINDER_H
 
 #include <CSCD/Graph/Spatial_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -94,7 +94,7 @@ private:
   bool spread(Index source)
   {
     clear();
-    const Vector_3& center = m_graph.points()[source];
+    const Vector3& center = m_graph.points()[source];
     reach(source, 0);
     std::size_t next_look = 1;
     while (!m_heap.empty()) {

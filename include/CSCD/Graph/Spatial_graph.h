@@ -7,7 +7,7 @@
 #define CSCD_GRAPH_SPATIAL_GRAPH_H
 
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -43,7 +43,7 @@ public:
   /// \param edges between them, of lengths that are finite and not negative
   /// \param radii of the parts that the vertices stand for, one for each point, or none
   /// \throw Input_error if `points` is empty or too large
-  Spatial_graph(std::vector<Vector_3> points, const std::vector<Edge>& edges, const std::vector<double>& radii = {});
+  Spatial_graph(std::vector<Vector3> points, const std::vector<Edge>& edges, const std::vector<double>& radii = {});
 
   /// \name As of a SurfaceTriangulation, except for faces
   /// @{
@@ -65,7 +65,7 @@ public:
     return {boost::counting_iterator<Index>(begin), boost::counting_iterator<Index>(begin + m_halfedges.size(vertex))};
   }
   /// Of the vertices.
-  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Vector3>& points() const { return m_points; }
   /// Of the edge, in the unit of the points.
   double length(Index halfedge) const { return m_halfedges.values()[halfedge].length; }
   /// The weight of a vertex in means: on an evenly sampled surface, about twice the area that belongs to it.
@@ -102,7 +102,7 @@ private:
   void join(const std::vector<Edge>& edges);
   void measure();
 
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   std::vector<double> m_radius;
   std::vector<double> m_area;
   internal::Compressed_rows<Halfedge> m_halfedges; // of every vertex, by their targets
@@ -119,7 +119,7 @@ inline constexpr Index default_number_of_neighbors = 24;
 
 /// The edges from each of `points` to the `number_of_neighbors` nearest others, each once, with their lengths;
 /// O(n log n) in expectation.
-std::vector<Spatial_graph::Edge> neighbor_edges(const std::vector<Vector_3>& points,
+std::vector<Spatial_graph::Edge> neighbor_edges(const std::vector<Vector3>& points,
                                                 Index number_of_neighbors = default_number_of_neighbors);
 
 } // namespace CSCD

@@ -19,7 +19,7 @@
 
 namespace CSCD {
 
-CSCD_INLINE Spatial_graph::Spatial_graph(std::vector<Vector_3> points, const std::vector<Edge>& edges,
+CSCD_INLINE Spatial_graph::Spatial_graph(std::vector<Vector3> points, const std::vector<Edge>& edges,
                                          const std::vector<double>& radii)
 {
   Point_cloud cloud = make_point_cloud(std::move(points), {});
@@ -110,7 +110,7 @@ CSCD_INLINE bool Spatial_graph::is_adjacent(Index vertex, Index other) const
   return place != halfedges.end() && place->target == other;
 }
 
-CSCD_INLINE std::vector<Spatial_graph::Edge> neighbor_edges(const std::vector<Vector_3>& points,
+CSCD_INLINE std::vector<Spatial_graph::Edge> neighbor_edges(const std::vector<Vector3>& points,
                                                             Index number_of_neighbors)
 {
   const internal::Neighbor_table table(points, number_of_neighbors);

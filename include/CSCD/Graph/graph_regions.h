@@ -11,7 +11,7 @@
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
@@ -190,7 +190,7 @@ private:
 
   void center()
   {
-    std::vector<Vector_3> sum(m_regions.size(), Vector_3::Zero());
+    std::vector<Vector3> sum(m_regions.size(), Vector3::Zero());
     std::vector<double> length(m_regions.size(), 0);
     for (Index vertex = 0; vertex < m_graph.number_of_vertices(); ++vertex) {
       if (m_regions.is_on_separator(vertex)) {
@@ -201,7 +201,7 @@ private:
     }
     for (Index node = 0; node < m_regions.size(); ++node) {
       if (m_builder.is_regular(node) && length[node] > 0) {
-        Vector_3& position = m_builder[node].position;
+        Vector3& position = m_builder[node].position;
         position = (1 - separator_part) * position + separator_part * (sum[node] / length[node]);
       }
     }

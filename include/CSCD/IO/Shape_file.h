@@ -6,7 +6,7 @@
 #ifndef CSCD_IO_SHAPE_FILE_H
 #define CSCD_IO_SHAPE_FILE_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <array>
 #include <cstddef>
@@ -60,9 +60,9 @@ private:
 struct Shape_file
 {
   /// The points.
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   /// The normals at the points, if the file has them, else empty.
-  std::vector<Vector_3> normals;
+  std::vector<Vector3> normals;
   /// Whether the file has three further numbers for each point, which are not normals: colors or the like.
   bool has_other_columns = false;
   /// The corners of all polygons, one polygon after the other, as indices into `points`.

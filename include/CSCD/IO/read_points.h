@@ -7,7 +7,7 @@
 #define CSCD_IO_READ_POINTS_H
 
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <istream>
 #include <string>
@@ -22,9 +22,9 @@ namespace internal {
 template <class Point, class Vector>
 void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  const auto convert = [](const std::vector<Vector_3>& from, auto& to) {
+  const auto convert = [](const std::vector<Vector3>& from, auto& to) {
     to.reserve(from.size());
-    for (const Vector_3& v : from) {
+    for (const Vector3& v : from) {
       to.emplace_back(v.x(), v.y(), v.z());
     }
   };

@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/graph/graph_traits.hpp>
 

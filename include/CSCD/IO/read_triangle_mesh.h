@@ -8,7 +8,7 @@
 
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -65,7 +65,7 @@ Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filen
 /// corners, as repairs never move a point. O(n log n).
 /// \param file the argument of `make_manifold()`
 /// \param points, faces of the mesh
-std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector_3>& points,
+std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector3>& points,
                                      const std::vector<std::array<Index, 3>>& faces);
 
 /// Makes a mesh of the polygons of a file.
@@ -76,7 +76,7 @@ Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::st
   const Manifold_triangles manifold = make_manifold(std::move(polygons), filename);
   std::vector<typename boost::property_traits<Point_map>::value_type> points;
   points.reserve(manifold.triangles.points.size());
-  for (const Vector_3& p : manifold.triangles.points) {
+  for (const Vector3& p : manifold.triangles.points) {
     points.emplace_back(p.x(), p.y(), p.z());
   }
   CGAL::clear(mesh);

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_CORRESPONDENCE_H
 
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/double.h>
@@ -35,18 +35,18 @@ std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_verte
 /// For each point of a file, the vertex at its place of the mesh that was made from the file; `no_index` if none.
 /// Repairs merge, double and drop points, but never move one. Linear.
 /// \param is_known of several vertices at a place, the first known one counts
-std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
-                                    const std::vector<Vector_3>& points_of_mesh, const std::vector<char>& is_known);
+std::vector<Index> vertices_of_file(const std::vector<Vector3>& points_of_file,
+                                    const std::vector<Vector3>& points_of_mesh, const std::vector<char>& is_known);
 
-std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
-                                         const std::vector<Vector_3>& points_of_mesh,
+std::vector<Vertex_label> labels_of_file(const std::vector<Vector3>& points_of_file,
+                                         const std::vector<Vector3>& points_of_mesh,
                                          const std::vector<Vertex_label>& labels);
 
 /// The points of a range as vectors.
 template <class PointRange>
-std::vector<Vector_3> to_vectors(const PointRange& points)
+std::vector<Vector3> to_vectors(const PointRange& points)
 {
-  std::vector<Vector_3> result;
+  std::vector<Vector3> result;
   for (const auto& p : points) {
     result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }

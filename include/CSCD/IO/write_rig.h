@@ -9,7 +9,7 @@
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -41,7 +41,7 @@ template <class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>,
 void write_glb(std::ostream& out, const TriangleMesh& mesh, const Rig& rig, const std::string& name = "mesh")
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  internal::write_glb(out, internal::assigned_surface(mesh, Skeleton_graph<Vector_3, Vertex>()), rig, name);
+  internal::write_glb(out, internal::assigned_surface(mesh, Skeleton_graph<Vector3, Vertex>()), rig, name);
 }
 
 } // namespace CSCD

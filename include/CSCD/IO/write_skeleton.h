@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_SKELETON_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <limits>
 #include <optional>

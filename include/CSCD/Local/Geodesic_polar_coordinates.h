@@ -7,7 +7,7 @@
 #define CSCD_LOCAL_GEODESIC_POLAR_COORDINATES_H
 
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -290,7 +290,7 @@ public:
     if (m_stop_distance == std::numeric_limits<float>::max()) {
       m_stop_distance = reach_without_target * std::max(distance, min_rings * m_front.ring_radius());
     }
-    const Vector_3 chord = (m_surface.point(vertex) + m_surface.point(neighbor)) / 2 - m_source_point;
+    const Vector3 chord = (m_surface.point(vertex) + m_surface.point(neighbor)) / 2 - m_source_point;
     const double length = chord.norm();
     if (length >= m_chord_length || !is_across_body(chord, length, vertex)) {
       return;
@@ -321,7 +321,7 @@ private:
   /// meeting. Any value from 0 keeps out tunnels; this one also drops meetings on the flank of a bump early.
   static constexpr double min_chord_cosine = 0.5;
 
-  bool is_across_body(const Vector_3& chord, double length, Index vertex) const
+  bool is_across_body(const Vector3& chord, double length, Index vertex) const
   {
     if (m_is_across) {
       return m_is_across(vertex);
@@ -332,8 +332,8 @@ private:
 
   const Triangulated_surface& m_surface;
   const Geodesic_polar_coordinates& m_front;
-  Vector_3 m_source_point;
-  Vector_3 m_source_normal;
+  Vector3 m_source_point;
+  Vector3 m_source_normal;
   std::function<bool(Index)> m_is_across;
   Index m_first = no_index;
   Index m_second = no_index;

@@ -12,7 +12,7 @@
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Surface/Surface_levels.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -192,11 +192,11 @@ private:
   bool shorten_by_section(Separator& separator)
   {
     const double loop_length = separator.length;
-    const Vector_3 loop_center = separator.center;
+    const Vector3 loop_center = separator.center;
     const bool is_on_sheet = side_of_sheet(separator.source) != 0;
-    const Vector_3 loop_normal = is_on_sheet ? border_axis_at_loop(separator) : separator.normal;
+    const Vector3 loop_normal = is_on_sheet ? border_axis_at_loop(separator) : separator.normal;
     const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
-    Vector_3 axis = loop_normal;
+    Vector3 axis = loop_normal;
     double best_length = std::numeric_limits<double>::max();
     for (int step = 0; step <= number_of_axis_steps; ++step) {
       if (axis.dot(loop_normal) < 0) {
@@ -229,33 +229,33 @@ private:
 
   /// The mean direction of the borders of a sheet where the vertex loop crosses them. The area that the loop encloses
   /// between the two sides is too small for a normal.
-  Vector_3 border_axis_at_loop(const Separator& separator) const
+  Vector3 border_axis_at_loop(const Separator& separator) const
   {
     const Surface_level& level = m_levels[separator.level];
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     for (std::size_t i = 0; i < m_loop.size(); ++i) {
       const Index next = m_loop[i + 1 < m_loop.size() ? i + 1 : 0];
       if (side_of_sheet(level.to_finest(m_loop[i])) != side_of_sheet(level.to_finest(next))) {
-        const Vector_3 direction = border_direction(level, m_loop[i]);
-        sum += direction.dot(sum) < 0 ? Vector_3(-direction) : direction;
+        const Vector3 direction = border_direction(level, m_loop[i]);
+        sum += direction.dot(sum) < 0 ? Vector3(-direction) : direction;
       }
     }
-    return sum.norm() > 0 ? Vector_3(sum.normalized()) : separator.normal;
+    return sum.norm() > 0 ? Vector3(sum.normalized()) : separator.normal;
   }
 
   /// From one neighbor of `vertex` along the border to the other.
-  Vector_3 border_direction(const Surface_level& level, Index vertex) const
+  Vector3 border_direction(const Surface_level& level, Index vertex) const
   {
     const Triangulated_surface& surface = level.surface;
     const auto side = [&](Index v) { return side_of_sheet(level.to_finest(v)); };
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     for (const Index h : surface.outgoing(vertex)) {
       const Index neighbor = surface.target(h);
       const bool is_left = side(surface.opposite_vertex(h)) != side(vertex);
       const bool is_right = side(surface.opposite_vertex(surface.twin(h))) != side(vertex);
       if (side(neighbor) == side(vertex) && is_left != is_right) {
-        const Vector_3 edge = (surface.point(neighbor) - surface.point(vertex)).normalized();
-        sum += is_left ? edge : Vector_3(-edge);
+        const Vector3 edge = (surface.point(neighbor) - surface.point(vertex)).normalized();
+        sum += is_left ? edge : Vector3(-edge);
       }
     }
     return sum;
@@ -263,7 +263,7 @@ private:
 
   /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
   /// meets both at about a right angle. The normals of a flat sheet do not determine an axis.
-  Vector_3 border_axis() const
+  Vector3 border_axis() const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;
     const std::vector<Edge_crossing>& crossings = m_section.crossings();
@@ -271,14 +271,14 @@ private:
       const Index h = crossings[i % crossings.size()].halfedge;
       return side_of_sheet(surface.origin(h)) != side_of_sheet(surface.target(h));
     };
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       if (!is_on_rim(i) && (is_on_rim(i + 1) || is_on_rim(i + crossings.size() - 1))) {
         const Index h = crossings[i].halfedge; // an edge of the border, from above the plane to below
         sum += (surface.point(surface.origin(h)) - surface.point(surface.target(h))).normalized();
       }
     }
-    return sum.norm() > 0 ? Vector_3(sum.normalized()) : m_section.symmetry_axis();
+    return sum.norm() > 0 ? Vector3(sum.normalized()) : m_section.symmetry_axis();
   }
 
   bool shorten_by_straightening(const Surface_level& level, Separator& separator)
@@ -307,7 +307,7 @@ private:
   internal::Plane_section m_section;
   Vertex_loop m_loop;
   Vertex_loop m_fine_loop;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
 };
 
 } // namespace CSCD

@@ -8,7 +8,7 @@
 
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
@@ -57,7 +57,7 @@ private:
 };
 
 std::vector<Index> find_roots(const Skeleton& skeleton, Root_rule rule);
-std::vector<Index> find_roots(const Skeleton& skeleton, const Vector_3& point);
+std::vector<Index> find_roots(const Skeleton& skeleton, const Vector3& point);
 
 } // namespace internal
 
@@ -82,7 +82,7 @@ std::vector<Index> find_roots(const Skeleton& skeleton, const Point& point)
 {
   return internal::find_roots(
       internal::index_skeleton(skeleton),
-      Vector_3(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())));
+      Vector3(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())));
 }
 
 } // namespace CSCD

@@ -9,7 +9,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/read_mesh.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -114,7 +114,7 @@ namespace internal {
 /// Triangles and the node of each vertex.
 struct Assigned_surface
 {
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> node_of_vertex; ///< `no_index` for vertices of no node
 };

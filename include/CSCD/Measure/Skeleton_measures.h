@@ -6,7 +6,7 @@
 #ifndef CSCD_MEASURE_SKELETON_MEASURES_H
 #define CSCD_MEASURE_SKELETON_MEASURES_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -71,9 +71,9 @@ struct Position_measures
 /// A limb of the surface: a part that reaches out of the rest, `doc/measures.md` says how far.
 struct Surface_limb
 {
-  Vector_3 tip = Vector_3::Zero(); ///< the vertex that is farthest from the rest, in the coordinates of the input
-  double height = 0;               ///< from where the limb begins to the tip, relative to the diagonal
-  bool has_tip = false;            ///< whether a tip of the skeleton belongs to it
+  Vector3 tip = Vector3::Zero(); ///< the vertex that is farthest from the rest, in the coordinates of the input
+  double height = 0;             ///< from where the limb begins to the tip, relative to the diagonal
+  bool has_tip = false;          ///< whether a tip of the skeleton belongs to it
 };
 
 /// How well the tips of a skeleton and the limbs of the surface belong together, in pairs.

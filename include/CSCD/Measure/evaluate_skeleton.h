@@ -13,7 +13,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <cstddef>
@@ -35,7 +35,7 @@ struct Measured_input
 {
   Indexed_triangles triangles; ///< an oriented manifold with or without borders; empty for points
   Halfedge_pairing pairing;
-  std::vector<Vector_3> points; ///< empty for a mesh
+  std::vector<Vector3> points; ///< empty for a mesh
   bool is_mesh = false;
 };
 
@@ -89,7 +89,7 @@ Measured_input measured_input(const Surface& surface, const NamedParameters& np)
 /// O(p log e) for p points and e well-spread edges.
 /// \throw Input_error if too many edges are near each other, or they make too many cycles
 /// \pre there are points and nodes
-std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Skeleton& skeleton);
+std::vector<double> estimate_radii(const std::vector<Vector3>& points, const Skeleton& skeleton);
 
 Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters);

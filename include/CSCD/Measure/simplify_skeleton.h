@@ -13,7 +13,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -104,7 +104,7 @@ Skeleton to_simplified_graph(const Skeleton& skeleton, const CSCD::Skeleton& bef
     nodes.push_back(add_vertex(result));
     auto& node = result[nodes.back()];
     const Index origin = simplified.origin[v];
-    const Vector_3& point = simplified.skeleton.points[v];
+    const Vector3& point = simplified.skeleton.points[v];
     if (origin != no_index) {
       node = skeleton[old_nodes[origin]];
       node.vertices.clear();

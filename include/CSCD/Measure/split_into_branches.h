@@ -6,7 +6,7 @@
 #ifndef CSCD_MEASURE_SPLIT_INTO_BRANCHES_H
 #define CSCD_MEASURE_SPLIT_INTO_BRANCHES_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>

@@ -11,7 +11,7 @@
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 
 #include <boost/unordered_map.hpp>
@@ -261,7 +261,7 @@ private:
   /// Twice the distance that separators keep, at most, from those whose radius has the binary exponent `size`.
   static double width_of_cells(int size) { return std::ldexp(2 * min_spacing, size + 1); }
 
-  static Cell cell(const Vector_3& point, double width)
+  static Cell cell(const Vector3& point, double width)
   {
     return {std::floor(point.x() / width), std::floor(point.y() / width), std::floor(point.z() / width)};
   }
@@ -281,8 +281,8 @@ private:
     for (const auto& [size, cells] : m_cells) {
       const double width = width_of_cells(size);
       const double reach = tolerance * std::min(min_spacing * a.radius(), width / 2);
-      const Cell first = cell(a.center - Vector_3::Constant(reach), width);
-      const Cell last = cell(a.center + Vector_3::Constant(reach), width);
+      const Cell first = cell(a.center - Vector3::Constant(reach), width);
+      const Cell last = cell(a.center + Vector3::Constant(reach), width);
       for (int x = 0; first[0] + x <= last[0]; ++x) {
         for (int y = 0; first[1] + y <= last[1]; ++y) {
           for (int z = 0; first[2] + z <= last[2]; ++z) {
@@ -380,8 +380,8 @@ public:
   {
     for (Index i = 0; i < packed.size(); ++i) {
       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
-        const Vector_3 point = (1 - crossing.position) * position(m_finest.surface.origin(crossing.halfedge)) +
-                               crossing.position * position(m_finest.surface.target(crossing.halfedge));
+        const Vector3 point = (1 - crossing.position) * position(m_finest.surface.origin(crossing.halfedge)) +
+                              crossing.position * position(m_finest.surface.target(crossing.halfedge));
         reach_from(point, m_finest.surface.origin(crossing.halfedge), i);
         reach_from(point, m_finest.surface.target(crossing.halfedge), i);
       }
@@ -404,9 +404,9 @@ public:
   float distance(Index vertex) const { return m_front.distance(vertex); }
 
 private:
-  const Vector_3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
+  const Vector3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
 
-  void reach_from(const Vector_3& point, Index finest_vertex, Index separator)
+  void reach_from(const Vector3& point, Index finest_vertex, Index separator)
   {
     const Index vertex = m_level.from_finest(finest_vertex);
     if (m_front.reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator)) {

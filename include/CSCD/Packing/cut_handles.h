@@ -13,7 +13,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -215,7 +215,7 @@ private:
   std::size_t cut(bool is_any_allowed)
   {
     std::vector<std::pair<double, Vertex_loop>> candidates; // by length
-    std::vector<Vector_3> points;
+    std::vector<Vector3> points;
     for (Vertex_loop& loop : Handle_loops(m_surface, m_packing.arrangement()).of_all_pieces()) {
       points.clear();
       std::transform(loop.begin(), loop.end(), std::back_inserter(points),
@@ -251,7 +251,7 @@ private:
     }
     if (arrangement.insert(Index(m_separators.size() + trial.size()), separator.crossings)) {
       take_room(separator.crossings);
-      std::vector<Vector_3> points;
+      std::vector<Vector3> points;
       crossing_points(m_surface, separator.crossings, points);
       set_measures(separator, points);
       separator.source = loop.front();

@@ -7,7 +7,7 @@
 #define CSCD_POINTS_CLOUD_SAMPLING_H
 
 #include <CSCD/Points/Neighbor_table.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/principal_axes.h>
 
 #include <Eigen/Cholesky>
@@ -28,9 +28,9 @@ inline constexpr Index quadric_neighbors = 16;
 /// A quadratic height field, fitted by least squares over the plane of a neighborhood, at its central point.
 struct Quadric_fit
 {
-  Vector_3 normal = Vector_3::Zero();         ///< of the plane: of unit length and either orientation
-  Vector_3 projection = Vector_3::Zero();     ///< the point, moved along the normal to the fitted surface
-  Vector_3 surface_normal = Vector_3::Zero(); ///< of the fitted surface next to the point, to the side of `normal`
+  Vector3 normal = Vector3::Zero();         ///< of the plane: of unit length and either orientation
+  Vector3 projection = Vector3::Zero();     ///< the point, moved along the normal to the fitted surface
+  Vector3 surface_normal = Vector3::Zero(); ///< of the fitted surface next to the point, to the side of `normal`
   double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
 };
 
@@ -38,17 +38,17 @@ struct Quadric_fit
 /// \param neighbors a range of indices of points, none of them `point`
 /// \param reach the distance of the farthest of them
 template <class Neighbors>
-Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors, double reach)
+Quadric_fit fit_quadric(const std::vector<Vector3>& points, Index point, const Neighbors& neighbors, double reach)
 {
   using Coefficients = Eigen::Matrix<double, 6, 1>;
   constexpr std::size_t number_of_coefficients = 6;
   // Relative to the point and the reach, so that nothing is lost by cancellation.
   const double unit = reach;
-  std::vector<Vector_3> offsets{Vector_3::Zero()};
+  std::vector<Vector3> offsets{Vector3::Zero()};
   for (const Index neighbor : neighbors) {
     offsets.push_back((points[neighbor] - points[point]) / unit);
   }
-  const std::array<Vector_3, 3> axes = axes_of(offsets).vectors;
+  const std::array<Vector3, 3> axes = axes_of(offsets).vectors;
   Quadric_fit result;
   result.normal = axes[0];
   result.surface_normal = result.normal;
@@ -59,7 +59,7 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Coefficients right_side = Coefficients::Zero();
   double squared_heights = 0;
-  for (const Vector_3& offset : offsets) {
+  for (const Vector3& offset : offsets) {
     const double x = offset.dot(axes[1]);
     const double y = offset.dot(axes[2]);
     const double height = offset.dot(result.normal);
@@ -104,7 +104,7 @@ inline bool is_outlier(const Neighbor_table& neighbors, Index point)
 class Sheet_fitting
 {
 public:
-  Sheet_fitting(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
+  Sheet_fitting(const std::vector<Vector3>& points, const Neighbor_table& neighbors)
       : m_points(points), m_neighbors(neighbors)
   {
   }
@@ -112,11 +112,11 @@ public:
   /// The quadric of `point`; if too few neighbors are left for one, the plane, which takes the point where it is.
   Quadric_fit operator()(Index point)
   {
-    const Vector_3 normal = flattest_normal(point);
+    const Vector3 normal = flattest_normal(point);
     m_sheet.clear();
     double reach = 0;
     for (const Index neighbor : m_neighbors.neighbors(point)) {
-      const Vector_3 edge = m_points[neighbor] - m_points[point];
+      const Vector3 edge = m_points[neighbor] - m_points[point];
       if (std::abs(edge.dot(normal)) <= max_slope * edge.norm()) {
         m_sheet.push_back(neighbor);
         reach = std::max(reach, edge.norm());
@@ -140,18 +140,18 @@ private:
   static constexpr std::size_t min_sheet = 5;
 
   /// The normal of that neighborhood that is the thinnest in relation to its width.
-  Vector_3 flattest_normal(Index point) const
+  Vector3 flattest_normal(Index point) const
   {
     const auto neighbors = m_neighbors.neighbors(point);
     const double unit = m_neighbors.reach(point);
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     Moment_matrix moments;
-    Vector_3 result = Vector_3::UnitZ();
+    Vector3 result = Vector3::UnitZ();
     double min_thickness = std::numeric_limits<double>::infinity();
     auto neighbor = neighbors.begin();
     for (const Index size : sizes) {
       for (; neighbor != neighbors.end() && neighbor - neighbors.begin() < std::ptrdiff_t(size); ++neighbor) {
-        const Vector_3 offset = (m_points[*neighbor] - m_points[point]) / unit;
+        const Vector3 offset = (m_points[*neighbor] - m_points[point]) / unit;
         sum += offset;
         moments += Moment_matrix::product(offset, offset);
       }
@@ -166,7 +166,7 @@ private:
     return result;
   }
 
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   const Neighbor_table& m_neighbors;
   std::vector<Index> m_sheet; // neighbors that seem to be on the same one
 };

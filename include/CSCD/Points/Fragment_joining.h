@@ -8,7 +8,7 @@
 
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace CSCD::internal {
 /// A gap between two fragments that was bridged.
 struct Joined_gap
 {
-  Vector_3 center;
+  Vector3 center;
   double width;
 };
 
@@ -123,7 +123,7 @@ private:
   std::vector<Candidate> find_candidates() const
   {
     std::vector<Index> ends;
-    std::vector<Vector_3> places;
+    std::vector<Vector3> places;
     for (Index vertex = 0; vertex < m_next.size(); ++vertex) {
       if (m_next[vertex] != no_index) {
         ends.push_back(vertex);

@@ -8,7 +8,7 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -80,7 +80,7 @@ inline void cut_along_loops(Indexed_triangles& triangles, const Triangulated_sur
   for (const Vertex_loop& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Index copy = Index(triangles.points.size());
-      triangles.points.push_back(Vector_3(triangles.points[loop[i]]));
+      triangles.points.push_back(Vector3(triangles.points[loop[i]]));
       const Index before = loop[(i + loop.size() - 1) % loop.size()];
       // Clockwise from the outgoing to the incoming edge lie the faces to the right.
       Index h = surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]);
@@ -175,7 +175,7 @@ private:
 
   struct Oriented_face
   {
-    Vector_3 center, normal;
+    Vector3 center, normal;
   };
 
   double edge_length_at(Index vertex) const
@@ -288,15 +288,15 @@ private:
     for (const Corner& corner : m_corners.neighbors(vertex)) {
       for (const Index h : m_surface.outgoing(corner.neighbor)) {
         const Index face = Triangulated_surface::face(h);
-        const Vector_3 center = (m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h)) +
-                                 m_surface.point(m_surface.opposite_vertex(h))) /
-                                3;
+        const Vector3 center = (m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h)) +
+                                m_surface.point(m_surface.opposite_vertex(h))) /
+                               3;
         m_faces.push_back({center, m_surface.face_vector(face).normalized()});
       }
     }
     for (std::size_t i = 0; i < m_faces.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
-        const Vector_3 way = m_faces[k].center - m_faces[i].center;
+        const Vector3 way = m_faces[k].center - m_faces[i].center;
         if (m_faces[i].normal.dot(m_faces[k].normal) < max_cosine_in_fold && way.dot(m_faces[i].normal) > 0 &&
             way.dot(m_faces[k].normal) < 0) {
           return true;

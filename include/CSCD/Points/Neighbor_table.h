@@ -6,7 +6,7 @@
 #ifndef CSCD_POINTS_NEIGHBOR_TABLE_H
 #define CSCD_POINTS_NEIGHBOR_TABLE_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -32,7 +32,7 @@ class Point_tree
 {
 public:
   /// Builds the tree; O(n log n). The points are copied.
-  explicit Point_tree(const std::vector<Vector_3>& points)
+  explicit Point_tree(const std::vector<Vector3>& points)
       : m_points(to_cgal(points)), m_point_map(m_points.data()),
         m_tree(boost::make_counting_iterator(Index(0)), boost::make_counting_iterator(Index(m_points.size())),
                Search::Splitter(), Search_traits(m_point_map))
@@ -48,7 +48,7 @@ public:
   /// Calls `use(index, squared_distance)` for the `number` points that are nearest to `query`, the nearest first.
   /// O(number log n) in expectation.
   template <class Use>
-  void for_each_nearest(const Vector_3& query, Index number, const Use& use) const
+  void for_each_nearest(const Vector3& query, Index number, const Use& use) const
   {
     const Search search(m_tree, {query.x(), query.y(), query.z()}, number, 0, true, Distance(m_point_map));
     for (const auto& [index, squared_distance] : search) {
@@ -58,7 +58,7 @@ public:
 
   /// The point nearest to `query`.
   /// \pre there are points
-  Index nearest(const Vector_3& query) const
+  Index nearest(const Vector3& query) const
   {
     Index result = no_index;
     for_each_nearest(query, 1, [&result](Index index, double) { result = index; });
@@ -74,11 +74,11 @@ private:
   using Search = CGAL::Orthogonal_k_neighbor_search<Search_traits>;
   using Distance = Search::Distance;
 
-  static std::vector<Point> to_cgal(const std::vector<Vector_3>& points)
+  static std::vector<Point> to_cgal(const std::vector<Vector3>& points)
   {
     std::vector<Point> result;
     result.reserve(points.size());
-    for (const Vector_3& point : points) {
+    for (const Vector3& point : points) {
       result.emplace_back(point.x(), point.y(), point.z());
     }
     return result;
@@ -92,10 +92,10 @@ private:
 /// Assigns the points without a vertex that of the nearest point with one; O(n log n).
 /// \param vertices of every point, `no_index` where there is none
 /// \pre some point has one
-inline void assign_to_nearest(const std::vector<Vector_3>& points, std::vector<Index>& vertices)
+inline void assign_to_nearest(const std::vector<Vector3>& points, std::vector<Index>& vertices)
 {
   std::vector<Index> used;
-  std::vector<Vector_3> used_points;
+  std::vector<Vector3> used_points;
   for (Index point = 0; point < vertices.size(); ++point) {
     if (vertices[point] != no_index) {
       used.push_back(point);
@@ -119,7 +119,7 @@ class Neighbor_table
 public:
   /// Finds the `number` nearest neighbors of each of `points`, or as many as there are; O(number n log n) in
   /// expectation.
-  Neighbor_table(const std::vector<Vector_3>& points, Index number)
+  Neighbor_table(const std::vector<Vector3>& points, Index number)
       : m_size(Index(points.size())), m_number(std::min<Index>(number, points.empty() ? 0 : m_size - 1))
   {
     m_neighbors.reserve(points.size() * m_number);
@@ -188,15 +188,15 @@ class Point_grid
 public:
   /// \param radius positive, at least 2^-60 of the coordinates
   explicit Point_grid(double radius) : m_radius(radius) {}
-  Point_grid(double radius, const std::vector<Vector_3>& points) : Point_grid(radius)
+  Point_grid(double radius, const std::vector<Vector3>& points) : Point_grid(radius)
   {
-    for (const Vector_3& point : points) {
+    for (const Vector3& point : points) {
       insert(point);
     }
   }
 
   /// Adds a point, and numbers it by the number of those before; constant amortized time.
-  void insert(const Vector_3& point)
+  void insert(const Vector3& point)
   {
     if (m_entries.size() == m_first.size()) {
       grow();
@@ -206,12 +206,12 @@ public:
   }
 
   Index size() const { return Index(m_entries.size()); }
-  const Vector_3& point(Index index) const { return m_entries[index].point; }
+  const Vector3& point(Index index) const { return m_entries[index].point; }
 
   /// Calls `use(index, squared_distance)` for all points within the radius; linear in the number of points in eight
   /// cells that are twice as wide as it.
   template <class Use>
-  void for_each_near(const Vector_3& query, const Use& use) const
+  void for_each_near(const Vector3& query, const Use& use) const
   {
     const Cell least = cell_of(query, -m_radius); // the ball meets at most two cells in each direction
     for (unsigned corner = 0; corner < 8; ++corner) {
@@ -231,12 +231,12 @@ private:
 
   struct Entry
   {
-    Vector_3 point;
+    Vector3 point;
     Cell cell;
     Index next; // in the same bucket
   };
 
-  Cell cell_of(const Vector_3& point, double shift) const
+  Cell cell_of(const Vector3& point, double shift) const
   {
     Cell result{};
     for (std::size_t axis = 0; axis < result.size(); ++axis) {
@@ -275,7 +275,7 @@ private:
 
 /// The members of `points`, in their order, that are farther than `radius` from all that were chosen before.
 /// \param step only every so many of the points are looked at
-inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radius, std::size_t step = 1)
+inline std::vector<Index> thin(const std::vector<Vector3>& points, double radius, std::size_t step = 1)
 {
   std::vector<Index> result;
   Point_grid grid(radius);
@@ -295,15 +295,15 @@ inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radiu
 inline constexpr double packing_density = 0.69;
 
 /// The root of the mean squared distance of `points` from their centroid.
-inline double root_mean_square_distance(const std::vector<Vector_3>& points)
+inline double root_mean_square_distance(const std::vector<Vector3>& points)
 {
   const auto number = double(points.size());
-  Vector_3 centroid = Vector_3::Zero();
-  for (const Vector_3& point : points) {
+  Vector3 centroid = Vector3::Zero();
+  for (const Vector3& point : points) {
     centroid += point / number;
   }
   double mean_square = 0;
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     mean_square += (point - centroid).squaredNorm() / number;
   }
   return std::sqrt(mean_square);
@@ -311,7 +311,7 @@ inline double root_mean_square_distance(const std::vector<Vector_3>& points)
 
 /// The area that points cover, estimated from some 2000 balls around them: noise that is less than their radius, and a
 /// few points that are far away, hardly count. Does not depend on the pose. Linear.
-inline double estimate_area(const std::vector<Vector_3>& points)
+inline double estimate_area(const std::vector<Vector3>& points)
 {
   constexpr double number_of_balls = 2000;
   constexpr std::size_t sample = 50000;    // points that serve the estimate, about

@@ -7,7 +7,7 @@
 #define CSCD_POINTS_POINT_CLOUD_H
 
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <Eigen/Core>
@@ -18,11 +18,11 @@
 namespace CSCD::internal {
 
 /// For the few places that multiply vectors by matrices.
-inline Eigen::Vector3d to_eigen(const Vector_3& v)
+inline Eigen::Vector3d to_eigen(const Vector3& v)
 {
   return {v.x(), v.y(), v.z()};
 }
-inline Vector_3 from_eigen(const Eigen::Vector3d& v)
+inline Vector3 from_eigen(const Eigen::Vector3d& v)
 {
   return {v.x(), v.y(), v.z()};
 }
@@ -41,20 +41,20 @@ public:
 
   /// Finds the pose of `points`; linear.
   /// \pre the points are not all equal, and their extent is about 1
-  explicit Canonical_pose(const std::vector<Vector_3>& points);
+  explicit Canonical_pose(const std::vector<Vector3>& points);
 
   /// The place of `point` in the pose.
-  Vector_3 operator()(const Vector_3& point) const
+  Vector3 operator()(const Vector3& point) const
   {
     return internal::from_eigen(m_scale * (m_rotation * internal::to_eigen(point - m_centroid)));
   }
   /// `direction` in the pose.
-  Vector_3 turn(const Vector_3& direction) const
+  Vector3 turn(const Vector3& direction) const
   {
     return internal::from_eigen(m_rotation * internal::to_eigen(direction));
   }
   /// The direction that is `direction` in the pose.
-  Vector_3 turn_back(const Vector_3& direction) const
+  Vector3 turn_back(const Vector3& direction) const
   {
     return internal::from_eigen(m_rotation.transpose() * internal::to_eigen(direction));
   }
@@ -62,7 +62,7 @@ public:
   double scale() const { return m_scale; }
 
 private:
-  Vector_3 m_centroid = Vector_3::Zero();
+  Vector3 m_centroid = Vector3::Zero();
   Eigen::Matrix3d m_rotation = Eigen::Matrix3d::Identity();
   double m_scale = 1;
 };
@@ -77,8 +77,8 @@ inline constexpr std::size_t minimum_number_of_points = 4;
 struct Point_cloud
 {
   /// The points, all different.
-  std::vector<Vector_3> points;
-  std::vector<Vector_3> normals;  ///< of unit length, zero where unknown; empty if the input has none
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals;   ///< of unit length, zero where unknown; empty if the input has none
   std::vector<Index> input_point; ///< for every point of the input, the point that represents it
   /// From the coordinates of the input to those of the points.
   Normalization normalization;
@@ -96,7 +96,7 @@ struct Point_cloud
 /// \param points of the input, in its coordinates
 /// \param normals one for each point, of unit length or zero where unknown; or none
 /// \throw Input_error if `points` is empty or too large
-Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals);
+Point_cloud make_point_cloud(std::vector<Vector3>&& points, std::vector<Vector3>&& normals);
 
 /// Refuses clouds that cannot have a surface.
 /// \throw Input_error if there are too few different points, or all are on a line or at one place
@@ -106,7 +106,7 @@ namespace internal {
 
 /// Merges equal `points` and sorts the rest lexicographically into the empty `cloud`; normals of merged points are
 /// added. O(n log n).
-void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud);
+void merge_and_sort(std::vector<Vector3>&& points, std::vector<Vector3>&& normals, Point_cloud& cloud);
 
 /// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a Hilbert
 /// curve, by medians, for points that are near each other to be near in memory. O(n log n).

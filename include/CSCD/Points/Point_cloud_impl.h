@@ -32,8 +32,8 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
   cloud.pose = Canonical_pose(cloud.points);
   std::vector<Kernel::Point_3> posed;
   posed.reserve(cloud.points.size());
-  for (const Vector_3& point : cloud.points) {
-    const Vector_3 place = cloud.pose(point);
+  for (const Vector3& point : cloud.points) {
+    const Vector3 place = cloud.pose(point);
     posed.emplace_back(place.x(), place.y(), place.z());
   }
   std::vector<Index> order(cloud.points.size());
@@ -42,8 +42,8 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
   CGAL::hilbert_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(map)>>(map));
   std::vector<Index> number(order.size());
-  std::vector<Vector_3> points;
-  std::vector<Vector_3> normals;
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals;
   for (Index i = 0; i < order.size(); ++i) {
     number[order[i]] = i;
     points.push_back(cloud.points[order[i]]);
@@ -58,9 +58,9 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
   cloud.normals = std::move(normals);
 }
 
-CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud)
+CSCD_INLINE void merge_and_sort(std::vector<Vector3>&& points, std::vector<Vector3>&& normals, Point_cloud& cloud)
 {
-  std::vector<std::pair<Vector_3, Index>> numbered; // with their points, which are read all the time
+  std::vector<std::pair<Vector3, Index>> numbered; // with their points, which are read all the time
   numbered.reserve(points.size());
   for (Index i = 0; i < points.size(); ++i) {
     numbered.emplace_back(points[i], i);
@@ -73,7 +73,7 @@ CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vect
     if (cloud.points.empty() || cloud.points.back() != point) {
       cloud.points.push_back(point);
       if (!normals.empty()) {
-        cloud.normals.push_back(Vector_3::Zero());
+        cloud.normals.push_back(Vector3::Zero());
       }
     }
     cloud.input_point[i] = Index(cloud.points.size() - 1);
@@ -81,7 +81,7 @@ CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vect
       cloud.normals.back() += normals[i];
     }
   }
-  for (Vector_3& normal : cloud.normals) {
+  for (Vector3& normal : cloud.normals) {
     normal.normalize();
   }
 }
@@ -90,23 +90,23 @@ CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vect
 
 namespace CSCD {
 
-CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector_3>& points)
+CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector3>& points)
 {
   const double size = double(points.size());
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     m_centroid += point / size;
   }
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Vector_3& point : points) {
+  for (const Vector3& point : points) {
     const Eigen::Vector3d offset = internal::to_eigen(point - m_centroid);
     moments += offset * offset.transpose() / size;
   }
   // The iterative solver is exact to rounding, unlike the direct one.
   m_rotation = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().transpose();
   m_scale = 1 / std::sqrt(moments.trace());
-  Vector_3 third_moments = Vector_3::Zero();
-  for (const Vector_3& point : points) {
-    const Vector_3 place = (*this)(point);
+  Vector3 third_moments = Vector3::Zero();
+  for (const Vector3& point : points) {
+    const Vector3 place = (*this)(point);
     third_moments +=
         {place.x() * place.x() * place.x(), place.y() * place.y() * place.y(), place.z() * place.z() * place.z()};
   }
@@ -122,7 +122,7 @@ CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector_3>& points)
 
 CSCD_INLINE void check_extent(const Point_cloud& cloud)
 {
-  const std::vector<Vector_3>& points = cloud.points;
+  const std::vector<Vector3>& points = cloud.points;
   if (points.size() == 1) {
     throw Input_error("all points are at the same place: a surface needs points around a body; check how the input was "
                       "written");
@@ -134,22 +134,22 @@ CSCD_INLINE void check_extent(const Point_cloud& cloud)
                       " different points: a surface needs at least " + std::to_string(minimum_number_of_points) +
                       "; check how the input was written");
   }
-  const auto farthest_from = [&points](const Vector_3& p) {
-    return *std::max_element(points.begin(), points.end(), [&p](const Vector_3& a, const Vector_3& b) {
+  const auto farthest_from = [&points](const Vector3& p) {
+    return *std::max_element(points.begin(), points.end(), [&p](const Vector3& a, const Vector3& b) {
       return (a - p).squaredNorm() < (b - p).squaredNorm();
     });
   };
-  const Vector_3 first = farthest_from(points.front());
-  const Vector_3 axis = (farthest_from(first) - first).normalized();
+  const Vector3 first = farthest_from(points.front());
+  const Vector3 axis = (farthest_from(first) - first).normalized();
   const bool is_line = std::all_of(points.begin(), points.end(),
-                                   [&](const Vector_3& p) { return (p - first).cross(axis).norm() <= min_thickness; });
+                                   [&](const Vector3& p) { return (p - first).cross(axis).norm() <= min_thickness; });
   if (is_line) {
     throw Input_error("all points are on one line: a surface needs points around a body; check how the input was "
                       "written");
   }
 }
 
-CSCD_INLINE Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals)
+CSCD_INLINE Point_cloud make_point_cloud(std::vector<Vector3>&& points, std::vector<Vector3>&& normals)
 {
   if (points.empty()) {
     throw Input_error("the point set is empty: there is nothing to skeletonize");
@@ -159,9 +159,9 @@ CSCD_INLINE Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::ve
                       "CGAL::grid_simplify_point_set");
   }
   Point_cloud cloud;
-  if (std::all_of(points.begin(), points.end(), [&](const Vector_3& p) { return p == points.front(); })) {
+  if (std::all_of(points.begin(), points.end(), [&](const Vector3& p) { return p == points.front(); })) {
     cloud.normalization = {points.front(), 1};
-    std::fill(points.begin(), points.end(), Vector_3::Zero());
+    std::fill(points.begin(), points.end(), Vector3::Zero());
     internal::merge_and_sort(std::move(points), std::move(normals), cloud);
     return cloud;
   }

@@ -6,7 +6,7 @@
 #ifndef CSCD_POINTS_POINT_COMPLEX_H
 #define CSCD_POINTS_POINT_COMPLEX_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -29,7 +29,7 @@ namespace CSCD {
 namespace internal {
 
 /// The angle in (-pi, pi] that turns `x` to `y` around `normal`, seen along it.
-inline double angle_around(const Vector_3& normal, const Vector_3& x, const Vector_3& y)
+inline double angle_around(const Vector3& normal, const Vector3& x, const Vector3& y)
 {
   return std::atan2(normal.dot(x.cross(y)), x.dot(y) - normal.dot(x) * normal.dot(y));
 }
@@ -77,7 +77,7 @@ public:
   /// Joins `points` by `triangles`; O(n) for bounded degrees.
   /// \param points, normals the normals are of unit length
   /// \param triangles the vertices of each, counterclockwise as the normals see it; no two have the same vertices
-  Point_complex(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals,
+  Point_complex(std::vector<Vector3>&& points, std::vector<Vector3>&& normals,
                 const std::vector<std::array<Index, 3>>& triangles)
       : m_points(std::move(points)), m_normals(std::move(normals))
   {
@@ -95,11 +95,11 @@ public:
   /// The number of vertices.
   Index number_of_vertices() const { return Index(m_points.size()); }
   /// All positions.
-  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Vector3>& points() const { return m_points; }
   /// The position of `vertex`.
-  const Vector_3& point(Index vertex) const { return m_points[vertex]; }
+  const Vector3& point(Index vertex) const { return m_points[vertex]; }
   /// The normal at `vertex`, of unit length: it agrees with those of the neighbors, and points outwards.
-  const Vector_3& normal(Index vertex) const { return m_normals[vertex]; }
+  const Vector3& normal(Index vertex) const { return m_normals[vertex]; }
   /// The share of the surface that belongs to `vertex`: a third of its triangles, less where they overlap.
   double vertex_area(Index vertex) const { return m_areas[vertex]; }
   /// Vertices joined by edges are in one component; a vertex without edges is one by itself.
@@ -185,7 +185,7 @@ private:
   /// The angle in [0, 2 pi) that turns the direction to `from` to that to `to`, around the normal of `center`.
   double angle(Index center, Index from, Index to) const
   {
-    const Vector_3& point = m_points[center];
+    const Vector3& point = m_points[center];
     const double result = internal::angle_around(m_normals[center], m_points[from] - point, m_points[to] - point);
     return result < 0 ? result + boost::math::double_constants::two_pi : result;
   }
@@ -238,8 +238,8 @@ private:
     }
   }
 
-  std::vector<Vector_3> m_points;
-  std::vector<Vector_3> m_normals;
+  std::vector<Vector3> m_points;
+  std::vector<Vector3> m_normals;
   std::vector<double> m_areas;                // of every vertex
   std::vector<Index> m_component;             // of every vertex
   internal::Compressed_rows<Index> m_targets; // of every halfedge, vertex by vertex
@@ -254,7 +254,7 @@ namespace internal {
 /// Goes from `vertex` to the neighbor that is nearest to `point`, again and again until none is nearer.
 /// \param is_allowed whether to go on from its first argument to its second one
 template <class Predicate>
-Index descend_to_nearest(const Point_complex& complex, const Vector_3& point, Index vertex, const Predicate& is_allowed)
+Index descend_to_nearest(const Point_complex& complex, const Vector3& point, Index vertex, const Predicate& is_allowed)
 {
   double min_distance = (complex.point(vertex) - point).squaredNorm();
   for (Index center = no_index; center != vertex;) {
@@ -288,8 +288,8 @@ inline Point_complex drop_fragments(Point_complex&& complex, std::vector<Index>&
   }
   const double min_size = min_part_of_points * double(*std::max_element(size.begin(), size.end()));
   number.assign(complex.number_of_vertices(), no_index);
-  std::vector<Vector_3> points;
-  std::vector<Vector_3> normals;
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals;
   for (Index v = 0; v < complex.number_of_vertices(); ++v) {
     if (double(size[complex.component(v)]) >= min_size && !complex.outgoing(v).empty()) {
       number[v] = Index(points.size());

@@ -8,7 +8,7 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <cstddef>
@@ -45,12 +45,12 @@ public:
   /// @{
 
   /// Whether the body holds `point`.
-  bool is_inside(const Vector_3& point) const;
+  bool is_inside(const Vector3& point) const;
   /// The middle of the body behind where its surface is nearest to `point`, if there is one.
-  std::optional<Vector_3> middle_behind(const Vector_3& point) const;
+  std::optional<Vector3> middle_behind(const Vector3& point) const;
   /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body, in ascending
   /// order.
-  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
+  void crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const;
   /// @}
 
 private:

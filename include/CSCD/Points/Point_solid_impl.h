@@ -13,7 +13,7 @@
 #include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Points/build_point_complex.h>
 #include <CSCD/Surface/Solid_queries.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <memory>
 #include <optional>
@@ -39,17 +39,17 @@ CSCD_INLINE Point_solid::Point_solid(const Point_cloud& cloud)
 
 CSCD_INLINE Point_solid::~Point_solid() = default;
 
-CSCD_INLINE bool Point_solid::is_inside(const Vector_3& point) const
+CSCD_INLINE bool Point_solid::is_inside(const Vector3& point) const
 {
   return m_body->queries.is_inside(point);
 }
 
-CSCD_INLINE std::optional<Vector_3> Point_solid::middle_behind(const Vector_3& point) const
+CSCD_INLINE std::optional<Vector3> Point_solid::middle_behind(const Vector3& point) const
 {
   return m_body->queries.middle_behind(point);
 }
 
-CSCD_INLINE void Point_solid::crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+CSCD_INLINE void Point_solid::crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const
 {
   m_body->queries.crossings(from, to, distances);
 }

@@ -15,7 +15,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -125,9 +125,9 @@ private:
     compact();
   }
 
-  Reconstruction_repair repair(const Vector_3& center, double length) const
+  Reconstruction_repair repair(const Vector3& center, double length) const
   {
-    const Vector_3 input = m_normalization.to_input(center);
+    const Vector3 input = m_normalization.to_input(center);
     return {{input.x(), input.y(), input.z()}, length * m_normalization.unit};
   }
 
@@ -187,9 +187,9 @@ private:
 
   void report_cut(const Vertex_loop& loop)
   {
-    const std::vector<Vector_3>& points = m_surface.triangles.points;
+    const std::vector<Vector3>& points = m_surface.triangles.points;
     double length = 0;
-    Vector_3 center = Vector_3::Zero();
+    Vector3 center = Vector3::Zero();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
       center += points[loop[i]] / double(loop.size());

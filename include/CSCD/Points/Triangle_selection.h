@@ -7,7 +7,7 @@
 #define CSCD_POINTS_TRIANGLE_SELECTION_H
 
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
@@ -106,10 +106,10 @@ private:
 };
 
 /// The squared radius of the circumcircle of a triangle.
-inline double squared_circumradius(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+inline double squared_circumradius(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const Vector_3 x = b - a;
-  const Vector_3 y = c - a;
+  const Vector3 x = b - a;
+  const Vector3 y = c - a;
   return x.squaredNorm() * y.squaredNorm() * (x - y).squaredNorm() / (4 * x.cross(y).squaredNorm());
 }
 
@@ -129,7 +129,7 @@ class Triangle_selection
 public:
   /// \param points, normals the normals of either orientation
   /// \param triangles no two have the same vertices
-  Triangle_selection(const std::vector<Vector_3>& points, const std::vector<Vector_3>& normals,
+  Triangle_selection(const std::vector<Vector3>& points, const std::vector<Vector3>& normals,
                      std::vector<Local_triangle>&& triangles)
       : m_points(points), m_normals(normals), m_triangles(std::move(triangles))
   {
@@ -167,11 +167,11 @@ private:
         m_points.size(), m_triangles, [](const Local_triangle& triangle) -> auto& { return triangle.vertices; });
     m_sectors.reserve(neighbors.number_of_values());
     for (Index v = 0; v < m_points.size(); ++v) {
-      const Vector_3 x = m_normals[v].unitOrthogonal();
-      const Vector_3 y = m_normals[v].cross(x);
+      const Vector3 x = m_normals[v].unitOrthogonal();
+      const Vector3 y = m_normals[v].cross(x);
       m_begin.push_back(Index(m_sectors.size()));
       for (const Index neighbor : neighbors[v]) {
-        const Vector_3 edge = m_points[neighbor] - m_points[v];
+        const Vector3 edge = m_points[neighbor] - m_points[v];
         m_sectors.push_back({neighbor, std::atan2(y.dot(edge), x.dot(edge)), false});
       }
       std::sort(m_sectors.begin() + m_begin[v], m_sectors.end(), [](const Sector& a, const Sector& b) {
@@ -229,8 +229,8 @@ private:
     for_each_sector(c, a, b, cover_sector);
   }
 
-  const std::vector<Vector_3>& m_points;
-  const std::vector<Vector_3>& m_normals;
+  const std::vector<Vector3>& m_points;
+  const std::vector<Vector3>& m_normals;
   std::vector<Local_triangle> m_triangles;
   std::vector<Sector> m_sectors; // vertex by vertex, counterclockwise
   std::vector<Index> m_begin;    // of the sectors of every vertex, and the end of all
@@ -242,7 +242,7 @@ private:
 class Gap_closing
 {
 public:
-  Gap_closing(const std::vector<Vector_3>& points, const std::vector<Vector_3>& normals,
+  Gap_closing(const std::vector<Vector3>& points, const std::vector<Vector3>& normals,
               std::vector<std::array<Index, 3>>& triangles)
       : m_points(points), m_normals(normals), m_triangles(triangles)
   {
@@ -396,8 +396,8 @@ private:
     return squared_circumradius(m_points[corners[1]], m_points[corners[0]], m_points[corners[2]]);
   }
 
-  const std::vector<Vector_3>& m_points;
-  const std::vector<Vector_3>& m_normals;
+  const std::vector<Vector3>& m_points;
+  const std::vector<Vector3>& m_normals;
   std::vector<std::array<Index, 3>>& m_triangles;
   std::vector<Edge> m_edges;  // of the triangles, sorted
   std::set<Edge> m_new_edges; // of triangles in gaps

@@ -11,7 +11,7 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Triangle_selection.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -28,11 +28,11 @@
 namespace CSCD::internal {
 
 /// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
-inline Vector_3 pseudo_random_vector(Index point)
+inline Vector3 pseudo_random_vector(Index point)
 {
   std::minstd_rand random(point + 1);
   random.discard(2); // the first numbers of neighboring seeds are alike
-  Vector_3 result = Vector_3::Zero();
+  Vector3 result = Vector3::Zero();
   for (double& coordinate : result) {
     coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
   }
@@ -41,7 +41,7 @@ inline Vector_3 pseudo_random_vector(Index point)
 
 /// The normal that a point at direction `edge` has if both lie on a circular arc, and the other has `normal`. On flat
 /// ground it is the same; across an edge of a body it is that of the other side.
-inline Vector_3 mirrored_normal(const Vector_3& normal, const Vector_3& edge)
+inline Vector3 mirrored_normal(const Vector3& normal, const Vector3& edge)
 {
   return normal - 2 * edge.dot(normal) / edge.squaredNorm() * edge;
 }
@@ -54,7 +54,7 @@ inline Vector_3 mirrored_normal(const Vector_3& normal, const Vector_3& edge)
 class Normal_orientation
 {
 public:
-  Normal_orientation(const std::vector<Vector_3>& points, std::vector<Vector_3>& normals)
+  Normal_orientation(const std::vector<Vector3>& points, std::vector<Vector3>& normals)
       : m_points(points), m_normals(normals)
   {
   }
@@ -98,7 +98,7 @@ private:
   }
 
   /// The expected normal of `b`, judging by that of `a`.
-  Vector_3 expected(Index a, Index b) const { return mirrored_normal(m_normals[a], m_points[b] - m_points[a]); }
+  Vector3 expected(Index a, Index b) const { return mirrored_normal(m_normals[a], m_points[b] - m_points[a]); }
 
   void orient_from(Index seed)
   {
@@ -121,8 +121,8 @@ private:
     }
   }
 
-  const std::vector<Vector_3>& m_points;
-  std::vector<Vector_3>& m_normals;
+  const std::vector<Vector3>& m_points;
+  std::vector<Vector3>& m_normals;
   std::vector<Edge> m_tree; // each edge both ways, sorted
   std::vector<char> m_is_oriented;
   std::vector<Index> m_stack;
@@ -131,7 +131,7 @@ private:
 /// The triangles of the convex hull of `points`, outwards; none if some points are inside, or all nearly lie in a
 /// plane. O(n^4).
 /// \pre no four lie in a plane exactly; the mean squared distance from the centroid is about 1
-inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector_3>& points)
+inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector3>& points)
 {
   constexpr double min_thickness = 1e-3;
   const auto n = Index(points.size());
@@ -140,7 +140,7 @@ inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector_3>
   for (Index a = 0; a < n; ++a) {
     for (Index b = a + 1; b < n; ++b) {
       for (Index c = b + 1; c < n; ++c) {
-        const Vector_3 normal = triangle_vector(points[a], points[b], points[c]).normalized();
+        const Vector3 normal = triangle_vector(points[a], points[b], points[c]).normalized();
         std::vector<double> height;
         for (Index d = 0; d < n; ++d) {
           height.push_back(d == a || d == b || d == c ? 0. : normal.dot(points[d] - points[a]));
@@ -168,8 +168,8 @@ inline std::vector<std::array<Index, 3>> hull_of_few(const std::vector<Vector_3>
 /// The triangles between the points of a cloud that its neighborhoods agree on.
 struct Triangulated_cloud
 {
-  std::vector<Vector_3> points;                ///< those of the cloud, in the same order; moved if they are smoothed
-  std::vector<Vector_3> normals;               ///< of unit length, outwards
+  std::vector<Vector3> points;                 ///< those of the cloud, in the same order; moved if they are smoothed
+  std::vector<Vector3> normals;                ///< of unit length, outwards
   std::vector<std::array<Index, 3>> triangles; ///< oriented; no two have a side in the same direction
   double spacing = 0;                          ///< the median over the points of the mean distance to the nearest six
   double noise = 0;         ///< the lower quartile of the deviations from quadrics, relative to the spacing
@@ -196,7 +196,7 @@ public:
     if (m_result.triangles.empty()) {
       take_sheets();
     }
-    for (const Vector_3& normal : m_normals) {
+    for (const Vector3& normal : m_normals) {
       m_result.normals.push_back(m_cloud.pose.turn_back(normal));
     }
     return std::move(m_result);
@@ -231,11 +231,11 @@ private:
   /// Whether the neighborhoods reach around the body, and have no tangent planes.
   bool is_small() const { return m_points.size() <= std::size_t(2) * quadric_neighbors; }
 
-  static std::vector<Vector_3> posed(const Point_cloud& cloud)
+  static std::vector<Vector3> posed(const Point_cloud& cloud)
   {
-    std::vector<Vector_3> result;
+    std::vector<Vector3> result;
     result.reserve(cloud.points.size());
-    for (const Vector_3& point : cloud.points) {
+    for (const Vector3& point : cloud.points) {
       result.push_back(cloud.pose(point));
     }
     return result;
@@ -248,7 +248,7 @@ private:
     constexpr int max_number_of_rounds = 2; // a third changes nothing
     const double scale = m_cloud.pose.scale();
     for (int round = 0; round < max_number_of_rounds; ++round) {
-      std::vector<Vector_3> projections;
+      std::vector<Vector3> projections;
       const double spacing = quantile(spacings(m_neighbors), 0.5);
       const double noise = fit_quadrics(projections) / spacing;
       m_noise = noise_height * noise * spacing;
@@ -269,7 +269,7 @@ private:
   }
 
   /// Fits quadrics to the neighborhoods, and projects the points to them. \return the noise
-  double fit_quadrics(std::vector<Vector_3>& projections) const
+  double fit_quadrics(std::vector<Vector3>& projections) const
   {
     std::vector<double> deviations;
     for (Index point = 0; point < m_points.size(); ++point) {
@@ -283,15 +283,15 @@ private:
   /// Takes the convex hull of the points, if they do not lie in a plane.
   void take_hull()
   {
-    std::vector<Vector_3> shaken = m_points;
-    Vector_3 center = Vector_3::Zero();
+    std::vector<Vector3> shaken = m_points;
+    Vector3 center = Vector3::Zero();
     for (Index point = 0; point < m_points.size(); ++point) {
       shaken[point] += tie_breaker(point);
       center += m_points[point] / double(m_points.size());
     }
     m_result.triangles = hull_of_few(shaken);
     m_normals.clear();
-    for (const Vector_3& point : shaken) {
+    for (const Vector3& point : shaken) {
       m_normals.push_back((point - center).normalized());
     }
   }
@@ -326,14 +326,14 @@ private:
   void move_points()
   {
     for (Index point = 0; point < m_points.size(); ++point) {
-      const Vector_3 offset = m_fits[point].projection - m_points[point];
+      const Vector3 offset = m_fits[point].projection - m_points[point];
       const double length = offset.norm();
-      m_points[point] += length > m_noise ? Vector_3(m_noise / length * offset) : offset;
+      m_points[point] += length > m_noise ? Vector3(m_noise / length * offset) : offset;
       m_points[point] += tie_breaker(point);
     }
   }
 
-  Vector_3 tie_breaker(Index point) const { return jitter * m_neighbors.reach(point) * pseudo_random_vector(point); }
+  Vector3 tie_breaker(Index point) const { return jitter * m_neighbors.reach(point) * pseudo_random_vector(point); }
 
   std::vector<std::array<Index, 3>> select_triangles() const
   {
@@ -345,7 +345,7 @@ private:
     m_normals.clear();
     m_normals.reserve(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
-      const bool is_known = !m_cloud.normals.empty() && m_cloud.normals[point] != Vector_3::Zero();
+      const bool is_known = !m_cloud.normals.empty() && m_cloud.normals[point] != Vector3::Zero();
       m_normals.push_back(is_known ? m_cloud.pose.turn(m_cloud.normals[point]) : m_fits[point].surface_normal);
     }
   }
@@ -353,7 +353,7 @@ private:
   /// Whether two points are on different sheets that are near each other.
   bool are_two_sheets(Index p, Index q) const
   {
-    const Vector_3 edge = m_points[q] - m_points[p];
+    const Vector3 edge = m_points[q] - m_points[p];
     const double slope = std::min(std::abs(edge.dot(m_normals[p])), std::abs(edge.dot(m_normals[q]))) / edge.norm();
     const double height = slope * edge.norm();
     if (m_is_oriented && mirrored_normal(m_normals[p], edge).dot(m_normals[q]) < min_agreement) {
@@ -374,12 +374,12 @@ private:
       if (is_outlier(m_neighbors, p)) {
         continue;
       }
-      const Vector_3 x = m_normals[p].unitOrthogonal();
-      const Vector_3 y = m_normals[p].cross(x);
+      const Vector3 x = m_normals[p].unitOrthogonal();
+      const Vector3 y = m_normals[p].cross(x);
       star.clear();
       for (const Index q : m_neighbors.neighbors(p)) {
         if (!are_two_sheets(p, q)) {
-          const Vector_3 edge = m_points[q] - m_points[p];
+          const Vector3 edge = m_points[q] - m_points[p];
           star.add({x.dot(edge), y.dot(edge)}, q);
         }
       }
@@ -425,7 +425,7 @@ private:
   {
     const auto is_contradictory = [&](std::array<Index, 3>& triangle) {
       const auto [a, b, c] = triangle;
-      const Vector_3 normal = triangle_vector(m_points[a], m_points[b], m_points[c]);
+      const Vector3 normal = triangle_vector(m_points[a], m_points[b], m_points[c]);
       const std::array<double, 3> sides{normal.dot(m_normals[a]), normal.dot(m_normals[b]), normal.dot(m_normals[c])};
       if (sides[0] < 0) {
         std::swap(triangle[1], triangle[2]);
@@ -445,7 +445,7 @@ private:
       sets.join(a, b);
       sets.join(a, c);
     }
-    std::vector<Vector_3> center(m_points.size(), Vector_3::Zero()); // sums of corners, of every root
+    std::vector<Vector3> center(m_points.size(), Vector3::Zero()); // sums of corners, of every root
     std::vector<double> count(m_points.size(), 0);
     for (const auto& triangle : triangles) {
       const Index root = sets.find(triangle[0]);
@@ -457,7 +457,7 @@ private:
     std::vector<double> volume(m_points.size(), 0); // of every root
     for (const auto& [a, b, c] : triangles) {
       const Index root = sets.find(a);
-      const Vector_3 origin = center[root] / count[root];
+      const Vector3 origin = center[root] / count[root];
       volume[root] += (m_points[a] - origin).dot((m_points[b] - origin).cross(m_points[c] - origin));
     }
     for (auto& triangle : triangles) {
@@ -473,11 +473,11 @@ private:
   }
 
   const Point_cloud& m_cloud;
-  std::vector<Vector_3> m_points; // in the canonical pose, moved
+  std::vector<Vector3> m_points; // in the canonical pose, moved
   Neighbor_table m_neighbors;
   std::vector<Quadric_fit> m_fits; // in the canonical pose
   double m_noise = 0;              // how far noise moves points off the surface, in the canonical pose
-  std::vector<Vector_3> m_normals; // in the canonical pose
+  std::vector<Vector3> m_normals;  // in the canonical pose
   bool m_is_oriented = false;      // the normals
   Triangulated_cloud m_result;
 };

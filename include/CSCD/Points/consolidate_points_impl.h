@@ -11,7 +11,7 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/consolidate_points.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ public:
     if (double(kept.size()) > largest_part * double(m_cloud.points.size())) {
       return std::move(m_cloud);
     }
-    std::vector<Vector_3> points;
+    std::vector<Vector3> points;
     points.reserve(kept.size());
     for (Index point : kept) {
       points.push_back(m_cloud.points[point]);
@@ -135,7 +135,7 @@ private:
   /// Every so many of the points, and those that are outermost along the axes of the canonical pose.
   std::vector<Index> some_points() const
   {
-    const std::vector<Vector_3>& points = m_cloud.points;
+    const std::vector<Vector3>& points = m_cloud.points;
     std::vector<Index> result;
     const std::size_t step = std::max<std::size_t>(1, points.size() / number_of_probes);
     for (std::size_t point = 0; point < points.size(); point += step) {
@@ -143,7 +143,7 @@ private:
     }
     for (int axis = 0; axis < 3; ++axis) {
       const auto [least, greatest] =
-          std::minmax_element(points.begin(), points.end(), [&](const Vector_3& a, const Vector_3& b) {
+          std::minmax_element(points.begin(), points.end(), [&](const Vector3& a, const Vector3& b) {
             return m_cloud.pose(a)[axis] < m_cloud.pose(b)[axis];
           });
       result.push_back(Index(least - points.begin()));
@@ -198,7 +198,7 @@ private:
     if (lonely.empty() || 2 * lonely.size() > m_cloud.points.size()) {
       return {};
     }
-    std::vector<Vector_3> points;
+    std::vector<Vector3> points;
     points.reserve(m_cloud.points.size());
     for (Index point : lonely) {
       points.push_back(m_cloud.points[point]);
@@ -242,8 +242,8 @@ private:
     for (Index point : left_out) {
       is_left_out[point] = 1;
     }
-    std::vector<Vector_3> points;
-    std::vector<Vector_3> normals;
+    std::vector<Vector3> points;
+    std::vector<Vector3> normals;
     std::vector<Index> number(m_cloud.points.size(), no_index);
     for (Index point = 0; point < m_cloud.points.size(); ++point) {
       if (is_left_out[point] == 0) {
@@ -302,7 +302,7 @@ private:
   /// Fits quadrics within twice the radius.
   Cloud_probe probe() const
   {
-    const std::vector<Vector_3>& points = m_cloud.points;
+    const std::vector<Vector3>& points = m_cloud.points;
     const std::size_t step = std::max<std::size_t>(1, points.size() / number_of_probes);
     Point_grid grid(2 * m_radius);
     std::vector<Index> centers;
@@ -340,10 +340,10 @@ private:
   }
 
   /// Moves `points` to the means of the points of the cloud within the radius.
-  void average(std::vector<Vector_3>& points) const
+  void average(std::vector<Vector3>& points) const
   {
     const Point_grid grid(m_radius, points);
-    std::vector<Vector_3> sum(points.size(), Vector_3::Zero());
+    std::vector<Vector3> sum(points.size(), Vector3::Zero());
     std::vector<double> number(points.size(), 0);
     const std::size_t step = step_for(averaged_points, m_radius);
     for (std::size_t point = 0; point < m_cloud.points.size(); point += step) {
@@ -353,12 +353,12 @@ private:
       });
     }
     for (Index i = 0; i < points.size(); ++i) {
-      points[i] = number[i] > 0 ? Vector_3(sum[i] / number[i]) : points[i];
+      points[i] = number[i] > 0 ? Vector3(sum[i] / number[i]) : points[i];
     }
   }
 
   /// For every point of the cloud the nearest of `points`.
-  std::vector<Index> nearest(const std::vector<Vector_3>& points) const
+  std::vector<Index> nearest(const std::vector<Vector3>& points) const
   {
     std::vector<Index> result(m_cloud.points.size(), no_index);
     for (const double radius : {m_radius, 2 * m_radius}) { // averaged points may have moved
@@ -386,10 +386,10 @@ private:
   }
 
   /// \param kept for every one of `points`, the point of the cloud that it came from
-  Point_cloud make_cloud(std::vector<Vector_3>&& points, const std::vector<Index>& kept, bool is_averaged) const
+  Point_cloud make_cloud(std::vector<Vector3>&& points, const std::vector<Index>& kept, bool is_averaged) const
   {
     const std::vector<Index> representative = nearest(points);
-    std::vector<Vector_3> normals;
+    std::vector<Vector3> normals;
     if (!m_cloud.normals.empty()) {
       for (Index point : kept) {
         normals.push_back(m_cloud.normals[point]);

@@ -7,7 +7,7 @@
 #define CSCD_POINTS_RECOGNIZE_TREE_SCAN_H
 
 #include <CSCD/Points/Neighbor_table.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/principal_axes.h>
 
 #include <algorithm>
@@ -22,11 +22,11 @@ namespace CSCD::internal {
 
 /// Some 50,000 of `points`, or all if they are fewer: those whose coordinates have a certain remainder, so that the
 /// choice does not depend on their order. Linear.
-inline std::vector<Vector_3> sample_of(const std::vector<Vector_3>& points)
+inline std::vector<Vector3> sample_of(const std::vector<Vector3>& points)
 {
   constexpr std::size_t size = 50000;
   const std::size_t divisor = std::max<std::size_t>(1, points.size() / size);
-  const auto key = [](const Vector_3& point) {
+  const auto key = [](const Vector3& point) {
     std::uint64_t result = 0;
     for (const double coordinate : point) {
       std::uint64_t bits = 0;
@@ -39,9 +39,9 @@ inline std::vector<Vector_3> sample_of(const std::vector<Vector_3>& points)
     }
     return result;
   };
-  std::vector<Vector_3> result;
+  std::vector<Vector3> result;
   std::copy_if(points.begin(), points.end(), std::back_inserter(result),
-               [&](const Vector_3& point) { return key(point) % divisor == 0; });
+               [&](const Vector3& point) { return key(point) % divisor == 0; });
   return result;
 }
 
@@ -52,22 +52,21 @@ struct Cloud_forms
   double in_space = 0;     ///< as wide as high
   double steepness = 0;    ///< the mean square of the sine between the curves and the plane that they are nearest to
   double bend = 0;         ///< the same between the curves and the line that they are nearest to
-  Vector_3 normal;         ///< of that plane
+  Vector3 normal;          ///< of that plane
 };
 
 /// The offsets of `points` from every so many of `centers`, which are among them by number, up to `radius` and in units
 /// of it. Linear in what it returns and the number of points.
 /// \param number of centers, about
-inline std::vector<std::vector<Vector_3>> offsets_around(const std::vector<Vector_3>& points,
-                                                         const std::vector<Index>& centers, std::size_t number,
-                                                         double radius)
+inline std::vector<std::vector<Vector3>>
+offsets_around(const std::vector<Vector3>& points, const std::vector<Index>& centers, std::size_t number, double radius)
 {
   Point_grid grid(radius);
   for (std::size_t i = 0; i < centers.size(); i += std::max<std::size_t>(1, centers.size() / number)) {
     grid.insert(points[centers[i]]);
   }
-  std::vector<std::vector<Vector_3>> offsets(grid.size());
-  for (const Vector_3& point : points) {
+  std::vector<std::vector<Vector3>> offsets(grid.size());
+  for (const Vector3& point : points) {
     grid.for_each_near(point, [&](Index i, double) { offsets[i].push_back((point - grid.point(i)) / radius); });
   }
   return offsets;
@@ -75,7 +74,7 @@ inline std::vector<std::vector<Vector_3>> offsets_around(const std::vector<Vecto
 
 /// Looks at balls of twice the radius that leaves about 7000 of `points`, or a quarter of them. Linear.
 /// \pre the extent of the points is about 1
-inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
+inline Cloud_forms forms_of(const std::vector<Vector3>& points)
 {
   constexpr double number_of_balls = 7000;
   constexpr std::size_t probes = 1000;  // balls: parts of them are then known to about a hundredth
@@ -88,7 +87,7 @@ inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
   Moment_matrix directions{};
   double number_of_forms = 0;
   double number_of_curves = 0;
-  for (const std::vector<Vector_3>& ball : offsets_around(points, thin(points, radius), probes, 2 * radius)) {
+  for (const std::vector<Vector3>& ball : offsets_around(points, thin(points, radius), probes, 2 * radius)) {
     if (ball.size() < min_points) {
       continue;
     }
@@ -131,7 +130,7 @@ inline bool is_scan_of_trees(const Cloud_forms& forms)
 /// Whether points lie along curves in several parallel planes, as of a sliced body: a body in one piece, as a tree, has
 /// curves that lead from plane to plane. Linear.
 /// \pre the extent of the points is about 1
-inline bool lie_in_slices(const std::vector<Vector_3>& points)
+inline bool lie_in_slices(const std::vector<Vector3>& points)
 {
   constexpr double min_along_curves = 0.9;
   constexpr double max_steepness = 1e-3; // two degrees, for noise
@@ -141,7 +140,7 @@ inline bool lie_in_slices(const std::vector<Vector_3>& points)
   if (forms.along_curves < min_along_curves || forms.steepness > max_steepness || forms.bend < min_bend) {
     return false;
   }
-  const auto is_lower = [&](const Vector_3& a, const Vector_3& b) { return forms.normal.dot(a) < forms.normal.dot(b); };
+  const auto is_lower = [&](const Vector3& a, const Vector3& b) { return forms.normal.dot(a) < forms.normal.dot(b); };
   const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), is_lower);
   return forms.normal.dot(*highest - *lowest) > min_height;
 }
@@ -150,7 +149,7 @@ inline bool lie_in_slices(const std::vector<Vector_3>& points)
 /// them, within some 25 times their distance on the curve, they are not wider than noise. Scanner lines that are ten
 /// times as far apart as their points lie side by side there, and a tube is wider. Linear.
 /// \param spacing mean distance of six neighbors, which is twice the distance along a curve
-inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing)
+inline bool lie_along_curves(const std::vector<Vector3>& points, double spacing)
 {
   constexpr double ball_radius = 12;       // in spacings
   constexpr double max_width = 0.75;       // standard deviation across, in spacings
@@ -163,8 +162,8 @@ inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing
   }
   const double radius = ball_radius * spacing;
   const double max_variance = max_width * max_width / (ball_radius * ball_radius);
-  const std::vector<std::vector<Vector_3>> balls = offsets_around(points, thin(points, radius), probes, radius);
-  const auto is_curve = [&](const std::vector<Vector_3>& ball) {
+  const std::vector<std::vector<Vector3>> balls = offsets_around(points, thin(points, radius), probes, radius);
+  const auto is_curve = [&](const std::vector<Vector3>& ball) {
     return ball.size() >= min_points && axes_of(ball).values[1] < max_variance;
   };
   return double(std::count_if(balls.begin(), balls.end(), is_curve)) > min_part * double(balls.size());

@@ -15,7 +15,7 @@
 #include <CSCD/Points/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <algorithm>

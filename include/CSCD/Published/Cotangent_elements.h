@@ -8,7 +8,7 @@
 
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <Eigen/SparseCore>

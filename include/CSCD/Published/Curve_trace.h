@@ -9,7 +9,7 @@
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
@@ -98,7 +98,7 @@ private:
     m_left.clear();
     for (std::size_t i = 0; i < size(); ++i) {
       m_begin.push_back(m_begin.back() + (m_points[after(i)].point - m_points[i].point).norm());
-      const Vector_3 along = m_points[after(i)].point - m_points[before(i)].point;
+      const Vector3 along = m_points[after(i)].point - m_points[before(i)].point;
       m_left.push_back(m_points[i].normal.cross(along).normalized());
     }
   }
@@ -140,7 +140,7 @@ private:
       longest = std::max(longest, m_complex.length(h));
     }
     const double width = band_width * longest;
-    Vector_3 normal = Vector_3::Zero();
+    Vector3 normal = Vector3::Zero();
     const Foot foot = find_foot(vertex, side, 2 * width, normal);
     if (foot.distance <= width) {
       m_is_met.mark(vertex);
@@ -153,7 +153,7 @@ private:
   }
 
   /// The foot of `vertex` among the sides not farther than `reach` along the curve from `first`.
-  Foot find_foot(Index vertex, std::size_t first, double reach, Vector_3& normal) const
+  Foot find_foot(Index vertex, std::size_t first, double reach, Vector3& normal) const
   {
     Foot foot{0, std::numeric_limits<double>::max(), 0};
     try_side(vertex, first, foot, normal);
@@ -171,18 +171,18 @@ private:
     return foot;
   }
 
-  void try_side(Index vertex, std::size_t side, Foot& foot, Vector_3& normal) const
+  void try_side(Index vertex, std::size_t side, Foot& foot, Vector3& normal) const
   {
     const Projected_point& a = m_points[side];
     const Projected_point& b = m_points[after(side)];
-    const Vector_3 way = b.point - a.point;
-    const Vector_3 offset = m_complex.point(vertex) - a.point;
+    const Vector3 way = b.point - a.point;
+    const Vector3 offset = m_complex.point(vertex) - a.point;
     const double squared_length = way.squaredNorm();
     const double part = squared_length > 0 ? std::clamp(offset.dot(way) / squared_length, 0., 1.) : 0.;
-    const Vector_3 from_foot = offset - part * way;
+    const Vector3 from_foot = offset - part * way;
     const double distance = from_foot.norm();
     if (distance < foot.distance) {
-      const Vector_3 left = (1 - part) * m_left[side] + part * m_left[after(side)];
+      const Vector3 left = (1 - part) * m_left[side] + part * m_left[after(side)];
       foot = {m_begin[side] + part * side_length(side), distance, from_foot.dot(left)};
       normal = (1 - part) * a.normal + part * b.normal;
     }
@@ -253,8 +253,8 @@ private:
 
   const Point_complex& m_complex;
   std::vector<Projected_point> m_points;
-  std::vector<double> m_begin;  // of every side, along the curve, and its end
-  std::vector<Vector_3> m_left; // of every point, in the surface
+  std::vector<double> m_begin; // of every side, along the curve, and its end
+  std::vector<Vector3> m_left; // of every point, in the surface
   Epoch_marks m_is_met;
   std::vector<Foot> m_foot; // of the vertices that were met
   std::vector<Index> m_band;

@@ -11,7 +11,7 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 
@@ -67,7 +67,7 @@ struct Extracted_cut_locus
 {
   struct Vertex
   {
-    Vector_3 point;
+    Vector3 point;
     Location location;
     double distance;
   };

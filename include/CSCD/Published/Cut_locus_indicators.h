@@ -8,7 +8,7 @@
 
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Tangent_frames.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/assertions.h>
 

@@ -9,7 +9,7 @@
 #include <CSCD/Published/Cut_locus_indicators.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -170,7 +170,7 @@ public:
   using Triangulation = std::decay_t<decltype(std::declval<const Frames&>().triangulation())>;
 
   /// \param points the positions of the vertices; as `frames`, it is referred to and must outlive this object
-  Cut_loop_finder(const Frames& frames, const std::vector<Vector_3>& points)
+  Cut_loop_finder(const Frames& frames, const std::vector<Vector3>& points)
       : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_on_first(points.size())
   {
     CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
@@ -180,7 +180,7 @@ public:
   /// face at the vertex `source`, the end of the paths. O(n + k log n) for n vertices if k vertices come before
   /// the target.
   template <class Predicate>
-  void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
+  void find(const Measures& measures, Index source, const Vector3& source_point, Target_rule rule,
             const Predicate& is_cut, Cut_loop& loop)
   {
     m_source_point = source_point;
@@ -280,7 +280,7 @@ private:
   }
 
   /// The point of `path`, which begins at the target, at half the distance of the target.
-  Vector_3 half_way(const Measures& measures, const std::vector<Index>& path) const
+  Vector3 half_way(const Measures& measures, const std::vector<Index>& path) const
   {
     const double goal = measures.distance(m_triangulation.origin(path.front())) / 2;
     for (const Index h : path) {
@@ -305,11 +305,11 @@ private:
 
   const Frames& m_frames;
   const Triangulation& m_triangulation;
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
   std::array<std::vector<Index>, 2> m_path;           ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
-  Vector_3 m_source_point = Vector_3::Zero();
+  Vector3 m_source_point = Vector3::Zero();
 };
 
 } // namespace CSCD::internal

@@ -10,7 +10,7 @@
 #include <CSCD/Published/Cut_locus_indicators.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>

@@ -10,7 +10,7 @@
 #include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/assertions.h>
 

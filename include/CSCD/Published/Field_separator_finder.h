@@ -20,7 +20,7 @@
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +36,7 @@ public:
   /// The ball around `center` that holds the origins of `halfedges`, those of `triangulation`. Linear.
   /// \param points the positions of its vertices
   template <class Triangulation>
-  Locality_ball(const Triangulation& triangulation, const std::vector<Vector_3>& points, const Vector_3& center,
+  Locality_ball(const Triangulation& triangulation, const std::vector<Vector3>& points, const Vector3& center,
                 const std::vector<Index>& halfedges)
       : m_points(points), m_center(center)
   {
@@ -53,8 +53,8 @@ private:
   /// How much larger the ball is, so that the outermost vertices of a curve are not on its sphere.
   static constexpr double margin = 1.05;
 
-  const std::vector<Vector_3>& m_points;
-  Vector_3 m_center;
+  const std::vector<Vector3>& m_points;
+  Vector3 m_center;
   double m_squared_radius = 0;
 };
 
@@ -77,7 +77,7 @@ public:
   /// \return `collapsed`, and `separator` stays as it was, also where fewer than three edges are crossed
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
-    const std::vector<Vector_3>& points = m_surface.points();
+    const std::vector<Vector3>& points = m_surface.points();
     const Locality_ball ball(m_triangulation, points, points[source], halfedges);
     const Shortening_outcome outcome = m_shortening(halfedges, true, ball, m_path);
     if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, m_crossings)) {
@@ -96,7 +96,7 @@ private:
   Edge_flip_shortening<Surface> m_shortening;
   Surface_path m_path;
   std::vector<Edge_crossing> m_crossings;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
 };
 
 /// Shortens closed curves among points by the variational flow within the ball (appendix F). One object serves one
@@ -117,7 +117,7 @@ public:
     if (halfedges.size() < 3) {
       return Shortening_outcome::collapsed;
     }
-    const Vector_3& center = m_complex.point(source);
+    const Vector3& center = m_complex.point(source);
     double radius = 0;
     m_points.clear();
     for (const Index h : halfedges) {
@@ -144,7 +144,7 @@ private:
   const Point_complex& m_complex;
   Variational_shortening m_shortening;
   Complex_trace m_trace;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   std::vector<Edge_crossing> m_crossings;
 };
 
@@ -175,7 +175,7 @@ public:
   /// \param settings which cut point is the target, and what cut points are
   /// \param domain, data what `Shortening` is constructed with
   template <class Domain, class Data>
-  Field_separator_finder(const Basis& basis, const std::vector<Vector_3>& points, const Field_search_settings& settings,
+  Field_separator_finder(const Basis& basis, const std::vector<Vector3>& points, const Field_search_settings& settings,
                          const Domain& domain, const Data& data)
       : m_basis(basis), m_points(points), m_target_rule(settings.target_rule),
         m_cut_locus_rule(settings.cut_locus_rule), m_loop_finder(Measures::frames_of(basis), points),
@@ -209,7 +209,7 @@ public:
 
   /// Finds only the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths. The
   /// loop is valid until the next call.
-  const Cut_loop& find_loop(Index source, const Vector_3& source_point, const std::vector<double>& distances)
+  const Cut_loop& find_loop(Index source, const Vector3& source_point, const std::vector<double>& distances)
   {
     const Measures measures(m_basis, distances);
     if (m_cut_locus_rule == Cut_locus_rule::tree) {
@@ -229,7 +229,7 @@ public:
 
 private:
   const Basis& m_basis;
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector3>& m_points;
   Target_rule m_target_rule;
   Cut_locus_rule m_cut_locus_rule;
   Cut_locus_settings m_cut_locus;

@@ -7,7 +7,7 @@
 #define CSCD_PUBLISHED_HEAT_METHOD_H
 
 #include <CSCD/Published/Cotangent_elements.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/assertions.h>

@@ -9,7 +9,7 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/assertions.h>
 

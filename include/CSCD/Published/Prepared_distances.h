@@ -8,7 +8,7 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <array>

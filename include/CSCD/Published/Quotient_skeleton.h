@@ -13,7 +13,7 @@
 #include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
@@ -150,8 +150,8 @@ private:
   /// The node of region i is node i of the builder.
   void place_regions(Skeleton_builder& builder)
   {
-    std::vector<Vector_3> sum(m_regions.size(), Vector_3::Zero());
-    std::vector<Vector_3> plain_sum(m_regions.size(), Vector_3::Zero());
+    std::vector<Vector3> sum(m_regions.size(), Vector3::Zero());
+    std::vector<Vector3> plain_sum(m_regions.size(), Vector3::Zero());
     std::vector<double> area(m_regions.size(), 0);
     std::vector<std::size_t> count(m_regions.size(), 0);
     for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
@@ -163,8 +163,8 @@ private:
     }
     for (Index region = 0; region < m_regions.size(); ++region) {
       // A region may have no area, where a border was bridged.
-      const Vector_3 center =
-          area[region] > 0 ? Vector_3(sum[region] / area[region]) : Vector_3(plain_sum[region] / double(count[region]));
+      const Vector3 center =
+          area[region] > 0 ? Vector3(sum[region] / area[region]) : Vector3(plain_sum[region] / double(count[region]));
       builder[builder.add_node(center, 0)].separators = {region};
     }
     m_area = std::move(area);
@@ -180,7 +180,7 @@ private:
       builder.add_edge(meeting[0], meeting[1]);
       return;
     }
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     double radius = 0;
     double area = 0;
     for (Index region : meeting) {

@@ -13,7 +13,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
@@ -88,7 +88,7 @@ private:
         return m_surface.points()[is_corner == is_corner_left ? m_surface.target(crossing.halfedge)
                                                               : m_surface.origin(crossing.halfedge)];
       };
-      const Vector_3& corner = end(a, true);
+      const Vector3& corner = end(a, true);
       const double area = triangle_area(corner, end(a, false), end(b, false));
       const double part_at_corner = is_corner_left ? (1 - a.position) * (1 - b.position) : a.position * b.position;
       result += area * (is_corner_left ? part_at_corner - 1. / 3 : 1. / 3 - part_at_corner);
@@ -194,7 +194,7 @@ private:
   const Surface& m_surface;
   Weight_rule m_rule;
   Sides m_sides;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
 };
 
 /// The end of the crossed edge that `crossing` is closer to; in the middle, the same one in either direction.

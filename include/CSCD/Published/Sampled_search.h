@@ -18,7 +18,7 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -235,7 +235,7 @@ private:
   {
     Geodesic_source source;
     Index vertex;
-    Vector_3 point;
+    Vector3 point;
   };
 
   /// Searches from the pending sources, and leaves those pending that need a finer level.
@@ -296,7 +296,7 @@ private:
   Level_source source_on_level(const Surface_level& level, Index source) const
   {
     const Index center = level.from_finest(source);
-    const Vector_3& point = m_levels.finest().surface.point(source);
+    const Vector3& point = m_levels.finest().surface.point(source);
     Level_source best{Geodesic_source::at_vertex(center), center, level.surface.point(center)};
     double min_distance = (best.point - point).squaredNorm();
     for (const Index halfedge : level.surface.outgoing(center)) {
@@ -305,7 +305,7 @@ private:
       if (!weights) {
         continue;
       }
-      Vector_3 candidate = Vector_3::Zero();
+      Vector3 candidate = Vector3::Zero();
       for (Index k = 0; k < 3; ++k) {
         candidate += (*weights)[k] * level.surface.point(level.surface.origin(3 * face + k));
       }
@@ -323,9 +323,9 @@ private:
   /// The barycentric coordinates of the foot of `point` on the plane of `face`, those below 0 set to 0; none where the
   /// face has no area.
   static std::optional<std::array<double, 3>> weights_in_face(const Triangulated_surface& surface, Index face,
-                                                              const Vector_3& point)
+                                                              const Vector3& point)
   {
-    const Vector_3 normal = surface.face_vector(face);
+    const Vector3 normal = surface.face_vector(face);
     const double squared_norm = normal.squaredNorm();
     if (surface.is_hole_filling(face) || !(squared_norm > 0)) {
       return std::nullopt;
@@ -333,8 +333,8 @@ private:
     std::array<double, 3> weights{};
     double sum = 0;
     for (Index k = 0; k < 3; ++k) {
-      const Vector_3 from = surface.point(surface.origin(3 * face + (k + 1) % 3)) - point;
-      const Vector_3 to = surface.point(surface.origin(3 * face + (k + 2) % 3)) - point;
+      const Vector3 from = surface.point(surface.origin(3 * face + (k + 1) % 3)) - point;
+      const Vector3 to = surface.point(surface.origin(3 * face + (k + 2) % 3)) - point;
       weights[k] = std::max(0., from.cross(to).dot(normal) / squared_norm);
       sum += weights[k];
     }

@@ -12,7 +12,7 @@
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -303,10 +303,10 @@ private:
   /// The angle of the face of `halfedge` around it, from a direction that is the same for all faces of the edge.
   double angle(Index halfedge) const
   {
-    const Vector_3& from = m_complex.point(origin(halfedge));
-    const Vector_3 axis = m_complex.point(target(halfedge)) - from;
-    const Vector_3 x = axis.unitOrthogonal();
-    const Vector_3 to_apex = m_complex.point(origin(previous(halfedge))) - from;
+    const Vector3& from = m_complex.point(origin(halfedge));
+    const Vector3 axis = m_complex.point(target(halfedge)) - from;
+    const Vector3 x = axis.unitOrthogonal();
+    const Vector3 to_apex = m_complex.point(origin(previous(halfedge))) - from;
     return std::atan2(axis.normalized().cross(x).dot(to_apex), x.dot(to_apex));
   }
 
@@ -362,7 +362,7 @@ public:
   const Complex& transport_to_origin(Index halfedge) const { return m_transport[halfedge]; }
 
   /// The projection of `vector` to the tangent plane of `vertex`.
-  Complex in_frame(Index vertex, const Vector_3& vector) const
+  Complex in_frame(Index vertex, const Vector3& vector) const
   {
     return {vector.dot(m_axis[vertex]), m_complex.normal(vertex).cross(m_axis[vertex]).dot(vector)};
   }
@@ -370,14 +370,14 @@ public:
 private:
   void lay_out(Index vertex)
   {
-    const Vector_3& normal = m_complex.normal(vertex);
+    const Vector3& normal = m_complex.normal(vertex);
     // Any axis, for vertices without edges and edges along the normal.
     m_axis[vertex] = normal.unitOrthogonal();
     bool is_first = true;
     for (const Index h : m_complex.outgoing(vertex)) {
-      const Vector_3 along = m_complex.point(m_complex.target(h)) - m_complex.point(vertex);
+      const Vector3 along = m_complex.point(m_complex.target(h)) - m_complex.point(vertex);
       if (is_first) {
-        const Vector_3 projection = along - along.dot(normal) * normal;
+        const Vector3 projection = along - along.dot(normal) * normal;
         if (projection.norm() > min_projection * along.norm()) {
           m_axis[vertex] = projection.normalized();
         }
@@ -391,8 +391,8 @@ private:
   {
     const Index from = m_complex.target(halfedge);
     const Index to = m_complex.origin(halfedge);
-    const Vector_3& axis = m_axis[from];
-    const Vector_3 sum = m_complex.normal(from) + m_complex.normal(to);
+    const Vector3& axis = m_axis[from];
+    const Vector3 sum = m_complex.normal(from) + m_complex.normal(to);
     // Of opposite normals, any rotation is the least.
     const double squared_norm = std::max(sum.squaredNorm(), min_projection);
     const Complex result = in_frame(to, axis - 2 * axis.dot(sum) / squared_norm * sum);
@@ -404,7 +404,7 @@ private:
   static constexpr double min_projection = 1e-8;
 
   const Point_complex& m_complex;
-  std::vector<Vector_3> m_axis;     // of every vertex
+  std::vector<Vector3> m_axis;      // of every vertex
   std::vector<double> m_direction;  // of every halfedge
   std::vector<Complex> m_transport; // of every halfedge
 };

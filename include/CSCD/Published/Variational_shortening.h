@@ -9,7 +9,7 @@
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/assertions.h>
 
@@ -27,9 +27,9 @@ namespace CSCD::internal {
 /// A point of the surface of a point complex.
 struct Projected_point
 {
-  Vector_3 point = Vector_3::Zero();
-  Vector_3 normal = Vector_3::Zero(); ///< of unit length
-  Index site = no_index;              ///< the nearest vertex, where the search for a nearby point begins
+  Vector3 point = Vector3::Zero();
+  Vector3 normal = Vector3::Zero(); ///< of unit length
+  Index site = no_index;            ///< the nearest vertex, where the search for a nearby point begins
 };
 
 /// Projects points to the moving least squares surface of a point complex, for `Variational_shortening`.
@@ -52,10 +52,10 @@ public:
   /// O(k) for k points around the site, and the steps to it. Where no point is near enough, as over a hole of the
   /// cloud, the nearest one is the projection.
   /// \param near a vertex where the descent of the distance to `point` begins \pre it is one
-  Projected_point operator()(const Vector_3& point, Index near) const
+  Projected_point operator()(const Vector3& point, Index near) const
   {
     CGAL_precondition(near != no_index);
-    Projected_point result{point, Vector_3::Zero(), nearest(point, near)};
+    Projected_point result{point, Vector3::Zero(), nearest(point, near)};
     const double small_height = min_height * m_neighborhoods.spacing(result.site);
     for (int i = 0; i < max_iterations; ++i) {
       const double height = fit(result);
@@ -73,7 +73,7 @@ private:
   static constexpr double min_height = 1e-2;
 
   /// Goes on to the nearest neighbor that looks to the same side until none is nearer.
-  Index nearest(const Vector_3& point, Index vertex) const
+  Index nearest(const Vector3& point, Index vertex) const
   {
     return descend_to_nearest(m_complex, point, vertex, [this](Index from, Index to) {
       return m_complex.normal(to).dot(m_complex.normal(from)) > 0;
@@ -87,15 +87,15 @@ private:
   {
     double sum = 0;
     double height = 0; // of the point above the tangent planes
-    Vector_3 offset = Vector_3::Zero();
-    Vector_3 normal = Vector_3::Zero();
+    Vector3 offset = Vector3::Zero();
+    Vector3 normal = Vector3::Zero();
     for (const Index vertex : m_neighborhoods.neighbors(projected.site)) {
-      const Vector_3 difference = projected.point - m_complex.point(vertex);
+      const Vector3 difference = projected.point - m_complex.point(vertex);
       const double radius = m_neighborhoods.radius(vertex);
       const double rest = 1 - difference.squaredNorm() / (radius * radius);
       if (rest > 0) {
         const double weight = rest * rest * rest * rest;
-        const Vector_3& n = m_complex.normal(vertex);
+        const Vector3& n = m_complex.normal(vertex);
         sum += weight;
         height += weight * n.dot(difference);
         offset += weight * difference;
@@ -123,7 +123,7 @@ private:
 /// \pre there are at least three rows, and each diagonal entry is greater than the sum of the couplings of its row,
 ///      which are not negative
 inline void solve_cyclic_tridiagonal(std::vector<double>& diagonal, const std::vector<double>& coupling,
-                                     std::vector<Vector_3>& right_side, std::vector<double>& last_column)
+                                     std::vector<Vector3>& right_side, std::vector<double>& last_column)
 {
   const std::size_t n = diagonal.size();
   CGAL_precondition(n >= 3 && coupling.size() == n && right_side.size() == n);
@@ -159,7 +159,7 @@ inline void solve_cyclic_tridiagonal(std::vector<double>& diagonal, const std::v
 /// Writes to `samples` so many points at equal distances along the closed polygon `points`, beginning at its first
 /// point. Linear.
 /// \pre `points` is not empty and `number` is positive
-inline void resample_polygon(const std::vector<Vector_3>& points, std::size_t number, std::vector<Vector_3>& samples)
+inline void resample_polygon(const std::vector<Vector3>& points, std::size_t number, std::vector<Vector3>& samples)
 {
   CGAL_precondition(!points.empty() && number > 0);
   double length = 0;
@@ -216,13 +216,13 @@ public:
   /// \param near a vertex near the first point
   /// \return `held` where points are outside of the ball, `unfinished` after `max_iterations`
   /// \pre `number_of_samples` >= 3, `points` is not empty
-  Shortening_outcome operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
+  Shortening_outcome operator()(std::vector<Vector3>& points, std::size_t number_of_samples, const Vector3& center,
                                 double radius, Index near)
   {
     CGAL_precondition(number_of_samples >= 3);
     resample_polygon(points, number_of_samples, m_samples);
     m_curve.clear();
-    for (const Vector_3& sample : m_samples) {
+    for (const Vector3& sample : m_samples) {
       m_curve.push_back(m_projection(sample, near));
       near = m_curve.back().site;
     }
@@ -262,7 +262,7 @@ private:
   /// chain's stiffness: without that, the number of iterations grows with that of the points. The step is that of
   /// Barzilai and Borwein, "Two-point step size gradient methods" (1988), halved until the energy sinks enough
   /// (Armijo), and every point is projected back to the surface.
-  Shortening_outcome shorten(const Vector_3& center, double radius)
+  Shortening_outcome shorten(const Vector3& center, double radius)
   {
     m_center = center;
     m_radius = radius;
@@ -294,19 +294,19 @@ private:
   /// Sets the tangential gradient of the energy, and the direction against which the curve moves; lengths in units.
   void set_gradient()
   {
-    m_gradient.assign(size(), Vector_3::Zero());
+    m_gradient.assign(size(), Vector3::Zero());
     m_stiffness.resize(size());
     m_diagonal.assign(size(), 0.);
     double sum = 0;
     for (std::size_t i = 0; i < size(); ++i) {
-      const Vector_3 side = (m_curve[after(i)].point - m_curve[i].point) / m_unit;
+      const Vector3 side = (m_curve[after(i)].point - m_curve[i].point) / m_unit;
       m_stiffness[i] = 2 * std::exp(side.squaredNorm());
       sum += m_stiffness[i];
       m_diagonal[i] += m_stiffness[i];
       m_diagonal[after(i)] += m_stiffness[i];
       m_gradient[i] -= m_stiffness[i] * side;
       m_gradient[after(i)] += m_stiffness[i] * side;
-      const Vector_3 offset = m_curve[i].point - m_center;
+      const Vector3 offset = m_curve[i].point - m_center;
       const double distance = offset.norm();
       if (distance > m_radius) {
         m_gradient[i] += 2 * ball_weight * (distance - m_radius) / (m_unit * distance) * offset;
@@ -329,23 +329,23 @@ private:
     make_tangential(m_direction);
   }
 
-  void make_tangential(std::vector<Vector_3>& vectors) const
+  void make_tangential(std::vector<Vector3>& vectors) const
   {
     for (std::size_t i = 0; i < size(); ++i) {
       vectors[i] -= vectors[i].dot(m_curve[i].normal) * m_curve[i].normal;
     }
   }
 
-  static double longest(const std::vector<Vector_3>& vectors)
+  static double longest(const std::vector<Vector3>& vectors)
   {
     double largest = 0;
-    for (const Vector_3& vector : vectors) {
+    for (const Vector3& vector : vectors) {
       largest = std::max(largest, vector.squaredNorm());
     }
     return std::sqrt(largest);
   }
 
-  static double product(const std::vector<Vector_3>& a, const std::vector<Vector_3>& b)
+  static double product(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
   {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -438,15 +438,15 @@ private:
   }
 
   Moving_least_squares_projection m_projection;
-  Vector_3 m_center = Vector_3::Zero();
+  Vector3 m_center = Vector3::Zero();
   double m_radius = 0;
   double m_unit = 1; // the mean side of the polygon to begin with
-  std::vector<Vector_3> m_samples;
+  std::vector<Vector3> m_samples;
   Curve m_curve;
   Curve m_next;
-  std::vector<Vector_3> m_gradient;
-  std::vector<Vector_3> m_last_gradient;
-  std::vector<Vector_3> m_direction;
+  std::vector<Vector3> m_gradient;
+  std::vector<Vector3> m_last_gradient;
+  std::vector<Vector3> m_direction;
   std::vector<double> m_stiffness; // of every side
   std::vector<double> m_diagonal;
   std::vector<double> m_column;

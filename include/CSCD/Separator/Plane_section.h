@@ -8,7 +8,7 @@
 
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/principal_axes.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -31,7 +31,7 @@ public:
   /// Walks the section with the plane through `vertex` normal to `axis` along the cycle that passes just below
   /// `vertex`.
   /// \return false if the vertex is a local minimum along `axis`, or if the section is longer than `max_length`
-  bool cut_at_vertex(Index vertex, const Vector_3& axis, double max_length)
+  bool cut_at_vertex(Index vertex, const Vector3& axis, double max_length)
   {
     set_plane(axis, axis.dot(m_surface.point(vertex)));
     for (Index h : m_surface.outgoing(vertex)) {
@@ -44,7 +44,7 @@ public:
 
   /// Walks the section with the plane through `point` normal to `axis` along the cycle that passes through `face`.
   /// \return false if the plane misses the face, or if the section is longer than `max_length`
-  bool cut_at_face(Index face, const Vector_3& axis, const Vector_3& point, double max_length)
+  bool cut_at_face(Index face, const Vector3& axis, const Vector3& point, double max_length)
   {
     set_plane(axis, axis.dot(point));
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
@@ -56,20 +56,20 @@ public:
   }
 
   const std::vector<Edge_crossing>& crossings() const { return m_crossings; }
-  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Vector3>& points() const { return m_points; }
   double length() const { return m_length; }
 
   /// The direction that is most nearly perpendicular to the normals of the crossed faces, up to sign: the axis of the
   /// limb around the section (the rotational symmetry axis of Tagliasacchi et al. 2009, with centered normals).
-  Vector_3 symmetry_axis() const
+  Vector3 symmetry_axis() const
   {
     Moment_matrix moment;
-    Vector_3 mean = Vector_3::Zero();
+    Vector3 mean = Vector3::Zero();
     double weight = 0;
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
-      const Vector_3& before = m_points[i > 0 ? i - 1 : m_points.size() - 1];
+      const Vector3& before = m_points[i > 0 ? i - 1 : m_points.size() - 1];
       const double length = (m_points[i] - before).norm();
-      const Vector_3 normal = m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
+      const Vector3 normal = m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
       moment += Moment_matrix::product(length * normal, normal);
       mean += length * normal;
       weight += length;
@@ -81,7 +81,7 @@ private:
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 1e-3;
 
-  void set_plane(const Vector_3& axis, double offset)
+  void set_plane(const Vector3& axis, double offset)
   {
     m_axis = axis;
     m_offset = offset;
@@ -90,13 +90,13 @@ private:
   /// An end of a crossed edge.
   struct Edge_end
   {
-    Vector_3 point;
+    Vector3 point;
     double height; ///< above the plane
   };
 
   Edge_end end_at(Index vertex) const
   {
-    const Vector_3& point = m_surface.point(vertex);
+    const Vector3& point = m_surface.point(vertex);
     return {point, m_axis.dot(point) - m_offset};
   }
   bool is_above(Index vertex) const { return end_at(vertex).height >= 0; }
@@ -141,22 +141,22 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  Vector_3 m_axis = Vector_3::UnitZ();
+  Vector3 m_axis = Vector3::UnitZ();
   double m_offset = 0;
   std::vector<Edge_crossing> m_crossings;
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   double m_length = 0;
 };
 
 /// Whether `point`, projected along `normal`, lies in the closed polygon `outline`: it is wound around.
-inline bool is_in_outline(const std::vector<Vector_3>& outline, const Vector_3& point, const Vector_3& normal)
+inline bool is_in_outline(const std::vector<Vector3>& outline, const Vector3& point, const Vector3& normal)
 {
-  const Vector_3 u = normal.unitOrthogonal();
-  const Vector_3 v = normal.cross(u);
+  const Vector3 u = normal.unitOrthogonal();
+  const Vector3 v = normal.cross(u);
   bool is_inside = false;
   double ax = u.dot(outline.back() - point);
   double ay = v.dot(outline.back() - point);
-  for (const Vector_3& corner : outline) {
+  for (const Vector3& corner : outline) {
     const double bx = u.dot(corner - point);
     const double by = v.dot(corner - point);
     if ((ay > 0) != (by > 0) && (ax * by - bx * ay > 0) == (by > ay)) {
@@ -171,7 +171,7 @@ inline bool is_in_outline(const std::vector<Vector_3>& outline, const Vector_3& 
 /// Center and size of a section of the body.
 struct Section_disc
 {
-  Vector_3 center = Vector_3::Zero();
+  Vector3 center = Vector3::Zero();
   double area = 0;
 
   /// Radius of the circle of the same area.
@@ -180,21 +180,21 @@ struct Section_disc
 
 /// The disc that the closed, nearly planar polygon `outline` spans: its area and the centroid of that area; where the
 /// centroid is outside of the polygon, the mean of the outline by length.
-inline Section_disc section_disc(const std::vector<Vector_3>& outline)
+inline Section_disc section_disc(const std::vector<Vector3>& outline)
 {
   const Polygon_measures measures = measure_polygon(outline);
   Section_disc result{measures.center, measures.vector_area.norm()};
   if (!(result.area > 0)) {
     return result;
   }
-  const Vector_3 normal = measures.vector_area / result.area;
-  Vector_3 moment = Vector_3::Zero();
+  const Vector3 normal = measures.vector_area / result.area;
+  Vector3 moment = Vector3::Zero();
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vector_3 a = outline[i] - measures.center;
-    const Vector_3 b = outline[i + 1 < outline.size() ? i + 1 : 0] - measures.center;
+    const Vector3 a = outline[i] - measures.center;
+    const Vector3 b = outline[i + 1 < outline.size() ? i + 1 : 0] - measures.center;
     moment += a.cross(b).dot(normal) / 6 * (a + b);
   }
-  const Vector_3 centroid = measures.center + moment / result.area;
+  const Vector3 centroid = measures.center + moment / result.area;
   if (is_in_outline(outline, centroid, normal)) {
     result.center = centroid;
   }

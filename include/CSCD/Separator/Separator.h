@@ -7,7 +7,7 @@
 #define CSCD_SEPARATOR_SEPARATOR_H
 
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -29,13 +29,13 @@ struct Separator
   std::vector<Edge_crossing> crossings;
   /// The points of a curve that passes the crossed edges at a distance, as on a point cloud. Any other curve is the
   /// polygon of its crossings. `Curve_skeletonization::polyline()` gives the points of either.
-  std::optional<std::vector<Vector_3>> points;
+  std::optional<std::vector<Vector3>> points;
   /// Length of the curve.
   double length = 0;
   /// Mean of its points by length.
-  Vector_3 center = Vector_3::Zero();
+  Vector3 center = Vector3::Zero();
   /// Unit normal of the vector area of the curve; the left side of the curve lies on its positive side.
-  Vector_3 normal = Vector_3::UnitZ();
+  Vector3 normal = Vector3::UnitZ();
   /// Norm of the vector area: the area that a planar curve encloses.
   double area = 0;
   /// Root mean square distance of the curve from its mean plane, relative to its length.
@@ -86,7 +86,7 @@ Index edge_of(const Surface& surface, Index halfedge)
 /// The point where `crossing` lies.
 /// \tparam Surface a model of `SurfaceTriangulation`, or `Point_complex`
 template <class Surface>
-Vector_3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
+Vector3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
 {
   return (1 - crossing.position) * surface.points()[surface.origin(crossing.halfedge)] +
          crossing.position * surface.points()[surface.target(crossing.halfedge)];
@@ -94,7 +94,7 @@ Vector_3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
 
 /// Writes the points of `crossings` to `points`, which is reused.
 template <class Surface>
-void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& crossings, std::vector<Vector_3>& points)
+void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& crossings, std::vector<Vector3>& points)
 {
   points.resize(crossings.size());
   for (std::size_t i = 0; i < crossings.size(); ++i) {
@@ -104,7 +104,7 @@ void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& c
 
 /// Writes the points of the curve of `separator` to `points`, which is reused.
 template <class Surface>
-void curve_points(const Surface& surface, const Separator& separator, std::vector<Vector_3>& points)
+void curve_points(const Surface& surface, const Separator& separator, std::vector<Vector3>& points)
 {
   if (separator.points) {
     points = *separator.points;
@@ -166,33 +166,33 @@ void cancel_backtracks(const Surface& surface, std::vector<Edge_crossing>& cross
 struct Polygon_measures
 {
   double length = 0;
-  Vector_3 center = Vector_3::Zero();      ///< mean by length
-  Vector_3 vector_area = Vector_3::Zero(); ///< half the sum of the cross products of consecutive points
-  double planarity = 0;                    ///< root mean square distance from the mean plane, relative to the length
+  Vector3 center = Vector3::Zero();      ///< mean by length
+  Vector3 vector_area = Vector3::Zero(); ///< half the sum of the cross products of consecutive points
+  double planarity = 0;                  ///< root mean square distance from the mean plane, relative to the length
 };
 
 /// Measures the closed polygon `points`; linear.
-inline Polygon_measures measure_polygon(const std::vector<Vector_3>& points)
+inline Polygon_measures measure_polygon(const std::vector<Vector3>& points)
 {
   Polygon_measures result;
   const std::size_t size = points.size();
   for (std::size_t i = 0; i < size; ++i) {
-    const Vector_3& a = points[i];
-    const Vector_3& b = points[i + 1 < size ? i + 1 : 0];
+    const Vector3& a = points[i];
+    const Vector3& b = points[i + 1 < size ? i + 1 : 0];
     const double length = (b - a).norm();
     result.length += length;
     result.center += length / 2 * (a + b);
   }
   if (!(result.length > 0)) {
-    result.center = size == 0 ? Vector_3(Vector_3::Zero()) : points.front();
+    result.center = size == 0 ? Vector3(Vector3::Zero()) : points.front();
     return result;
   }
   result.center /= result.length;
   for (std::size_t i = 0; i < size; ++i) {
-    const Vector_3& b = points[i + 1 < size ? i + 1 : 0];
+    const Vector3& b = points[i + 1 < size ? i + 1 : 0];
     result.vector_area += (points[i] - result.center).cross(b - result.center) / 2;
   }
-  const Vector_3 normal = result.vector_area.normalized();
+  const Vector3 normal = result.vector_area.normalized();
   double squared_deviation = 0;
   for (std::size_t i = 0; i < size; ++i) {
     const double length = (points[i + 1 < size ? i + 1 : 0] - points[i]).norm();
@@ -209,12 +209,12 @@ inline void set_measures(Separator& separator, const Polygon_measures& measures)
   separator.length = measures.length;
   separator.center = measures.center;
   separator.area = measures.vector_area.norm();
-  separator.normal = separator.area > 0 ? Vector_3(measures.vector_area / separator.area) : Vector_3(Vector_3::UnitZ());
+  separator.normal = separator.area > 0 ? Vector3(measures.vector_area / separator.area) : Vector3(Vector3::UnitZ());
   separator.planarity = measures.planarity;
 }
 
 /// Sets the measures of `separator` to those of the closed polygon `points`.
-inline void set_measures(Separator& separator, const std::vector<Vector_3>& points)
+inline void set_measures(Separator& separator, const std::vector<Vector3>& points)
 {
   set_measures(separator, measure_polygon(points));
 }

@@ -9,7 +9,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -64,7 +64,7 @@ private:
   bool append_path(Index from, Index to)
   {
     const Triangulated_surface& surface = m_levels.finest().surface;
-    const Vector_3 goal = surface.point(to);
+    const Vector3 goal = surface.point(to);
     const float limit = float(max_detour * (surface.point(from) - goal).norm());
     m_heap.clear();
     m_reached.clear();
@@ -157,11 +157,11 @@ inline void straighten(const Triangulated_surface& surface, std::vector<Edge_cro
   const std::size_t size = crossings.size();
   for (std::size_t i = 0; i < number_of_sweeps * size; ++i) {
     Edge_crossing& crossing = crossings[i % size];
-    const Vector_3& origin = surface.point(surface.origin(crossing.halfedge));
-    const Vector_3 edge = surface.point(surface.target(crossing.halfedge)) - origin;
+    const Vector3& origin = surface.point(surface.origin(crossing.halfedge));
+    const Vector3 edge = surface.point(surface.target(crossing.halfedge)) - origin;
     const double squared_length = edge.squaredNorm();
-    const Vector_3 before = crossing_point(surface, crossings[(i + size - 1) % size]) - origin;
-    const Vector_3 after = crossing_point(surface, crossings[(i + 1) % size]) - origin;
+    const Vector3 before = crossing_point(surface, crossings[(i + size - 1) % size]) - origin;
+    const Vector3 after = crossing_point(surface, crossings[(i + 1) % size]) - origin;
     // The areas that the edge spans with the two: their distances from it, times its length.
     const double height_before = edge.cross(before).norm();
     const double height_after = edge.cross(after).norm();

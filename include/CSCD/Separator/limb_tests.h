@@ -8,7 +8,7 @@
 
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -149,7 +149,7 @@ private:
 /// curve around a limb, nearly 0 for one around a hole, which bounds no disc in the body (section 3.2.2). Sampled.
 /// \tparam Surface a model of `SkeletonizationSurface`
 template <class Surface>
-double span_inside_share(const Surface& surface, const std::vector<Vector_3>& points, const Vector_3& center)
+double span_inside_share(const Surface& surface, const std::vector<Vector3>& points, const Vector3& center)
 {
   constexpr std::size_t max_directions = 8;
   constexpr double parts[] = {0.25, 0.5, 0.75}; // of the way from the center to the curve
@@ -157,7 +157,7 @@ double span_inside_share(const Surface& surface, const std::vector<Vector_3>& po
   std::size_t inside = surface.is_inside(center) ? 1 : 0;
   std::size_t samples = 1;
   for (std::size_t i = 0; i < directions; ++i) {
-    const Vector_3& point = points[i * points.size() / directions];
+    const Vector3& point = points[i * points.size() / directions];
     for (double part : parts) {
       inside += surface.is_inside(center + part * (point - center)) ? 1 : 0;
       ++samples;
@@ -177,7 +177,7 @@ bool is_around_hollow(const Surface& surface, const Separator& separator)
   if (separator.is_open || separator.roundness() < min_roundness || surface.is_inside(separator.center)) {
     return false;
   }
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   curve_points(surface.triangulation(), separator, points);
   return span_inside_share(surface, points, separator.center) < max_inside_share;
 }

@@ -8,7 +8,7 @@
 
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
@@ -148,7 +148,7 @@ private:
 
   Key key(Index limb, double level) const
   {
-    const Vector_3& tip = m_skeleton.points[m_limbs[limb].tip()];
+    const Vector3& tip = m_skeleton.points[m_limbs[limb].tip()];
     return {level, m_limbs[limb].length(), tip.x(), tip.y(), tip.z(), limb};
   }
 
@@ -186,7 +186,7 @@ private:
   void settle(const Limb& limb, double least)
   {
     const auto position = [this](Index node) {
-      const Vector_3& p = m_skeleton.points[node];
+      const Vector3& p = m_skeleton.points[node];
       return std::make_tuple(p.x(), p.y(), p.z());
     };
     Limb path = limb;

@@ -15,7 +15,7 @@
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -121,7 +121,7 @@ public:
 
   /// The section through `point` perpendicular to `axis`, if it surrounds the point, its centroid is in it, and it is
   /// about as large as expected and compact.
-  std::optional<Section_disc> operator()(const Vector_3& point, const Vector_3& axis, double radius)
+  std::optional<Section_disc> operator()(const Vector3& point, const Vector3& axis, double radius)
   {
     const auto hit = m_solid.first_hit(point, axis.unitOrthogonal());
     if (!hit || !m_section.cut_at_face(hit->face, axis, point, max_length * 2 * pi * radius) ||
@@ -202,7 +202,7 @@ private:
   /// The middle of the body near a node.
   struct Target
   {
-    Vector_3 center;
+    Vector3 center;
     double radius;
   };
 
@@ -212,7 +212,7 @@ private:
     const Node& node = m_graph[index];
     const Index from = node.neighbors[0];
     const Index to = node.neighbors[1];
-    const Vector_3 way = m_graph[to].position - m_graph[from].position;
+    const Vector3 way = m_graph[to].position - m_graph[from].position;
     if (!(way.norm() > 0) || turn_cosine(index) < 0 || is_in_junction(index, from) || is_in_junction(index, to)) {
       return std::nullopt;
     }
@@ -222,14 +222,14 @@ private:
     return is_near ? target : std::nullopt;
   }
 
-  std::optional<Target> middle_of_body_at(const Node& node, const Vector_3& axis)
+  std::optional<Target> middle_of_body_at(const Node& node, const Vector3& axis)
   {
     const std::optional<Section_disc> disc = m_body_section(node.position, axis, node.radius);
     return disc ? std::optional<Target>({disc->center, disc->radius()}) : std::nullopt;
   }
-  std::optional<Target> middle_of_sheet_at(const Node& node, const Vector_3& axis)
+  std::optional<Target> middle_of_sheet_at(const Node& node, const Vector3& axis)
   {
-    const std::optional<Vector_3> middle = m_sheet_section(node.position, axis, node.radius);
+    const std::optional<Vector3> middle = m_sheet_section(node.position, axis, node.radius);
     return middle ? std::optional<Target>({*middle, m_sheet_section.half_width()}) : std::nullopt;
   }
 
@@ -245,18 +245,18 @@ private:
     if (!m_graph.is_regular(node)) {
       return 1;
     }
-    const Vector_3 in = m_graph[node].position - m_graph[m_graph[node].neighbors[0]].position;
-    const Vector_3 out = m_graph[m_graph[node].neighbors[1]].position - m_graph[node].position;
+    const Vector3 in = m_graph[node].position - m_graph[m_graph[node].neighbors[0]].position;
+    const Vector3 out = m_graph[m_graph[node].neighbors[1]].position - m_graph[node].position;
     const double product = in.norm() * out.norm();
     return product > 0 ? in.dot(out) / product : -1;
   }
 
   /// Where the regular `node` would be for the least sum of squared second differences of the branch: this leaves the
   /// curvature as it is.
-  Vector_3 smoothed(Index node) const
+  Vector3 smoothed(Index node) const
   {
     const std::vector<Index>& neighbors = m_graph[node].neighbors;
-    Vector_3 sum = 2 * (m_graph[neighbors[0]].position + m_graph[neighbors[1]].position);
+    Vector3 sum = 2 * (m_graph[neighbors[0]].position + m_graph[neighbors[1]].position);
     double weight = 4;
     for (Index neighbor : neighbors) {
       if (m_graph.is_regular(neighbor)) {
@@ -271,8 +271,8 @@ private:
   void move(Index index, const std::optional<Target>& target, bool is_smoothing)
   {
     Node& node = m_graph[index];
-    const Vector_3 start = node.position;
-    Vector_3 step = Vector_3::Zero();
+    const Vector3 start = node.position;
+    Vector3 step = Vector3::Zero();
     if (turn_cosine(index) < 0) {
       step = m_graph.middle_of_neighbors(index) - start;
     } else if (target) {
@@ -284,7 +284,7 @@ private:
       step = plain_share * (m_graph.middle_of_neighbors(index) - start);
     }
     for (int halving = 0; halving <= max_halvings; ++halving, step /= 2) {
-      const Vector_3 position = place(node, start + step);
+      const Vector3 position = place(node, start + step);
       if (is_allowed(index, position)) {
         node.position = position;
         return;
@@ -293,17 +293,17 @@ private:
   }
 
   /// `point`, on sheets between their sides.
-  Vector_3 place(const Node& node, const Vector_3& point) const
+  Vector3 place(const Node& node, const Vector3& point) const
   {
     return node.is_on_sheet ? middle_of_sheet(m_solid, point, node.radius).value_or(point) : point;
   }
 
   /// Whether no turn gets sharper than a right angle, and no edge leaves the body, if the node moves to `position`.
   /// A turn or an edge that was so before may stay.
-  bool is_allowed(Index index, const Vector_3& position)
+  bool is_allowed(Index index, const Vector3& position)
   {
     const double turn_before = sharpest_turn(index);
-    const Vector_3 start = std::exchange(m_graph[index].position, position);
+    const Vector3 start = std::exchange(m_graph[index].position, position);
     const double turn = sharpest_turn(index);
     const auto stays_free = [&](Index neighbor) {
       if (m_graph[index].is_on_sheet || m_routing.is_free(index, neighbor)) {

@@ -14,7 +14,7 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -60,24 +60,24 @@ public:
   /// About how many vertices of the finest level `piece` has.
   double number_of_vertices(Index piece) const { return m_refinement * m_vertices.size(piece); }
 
-  const Vector_3& point(Index vertex) const { return m_surface.point(vertex); }
+  const Vector3& point(Index vertex) const { return m_surface.point(vertex); }
 
   /// The centroid by area, if the piece has vertices.
-  std::optional<Vector_3> centroid(Index piece) const
+  std::optional<Vector3> centroid(Index piece) const
   {
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     double weight = 0;
     for (Index vertex : m_vertices[piece]) {
       sum += double(m_surface.vertex_area(vertex)) * point(vertex);
       weight += double(m_surface.vertex_area(vertex));
     }
-    return weight > 0 ? std::optional<Vector_3>(sum / weight) : std::nullopt;
+    return weight > 0 ? std::optional<Vector3>(sum / weight) : std::nullopt;
   }
 
   /// The point of `piece` that is farthest from `center`.
-  Vector_3 farthest(Index piece, const Vector_3& center) const
+  Vector3 farthest(Index piece, const Vector3& center) const
   {
-    Vector_3 result = center;
+    Vector3 result = center;
     for (Index vertex : m_vertices[piece]) {
       if ((point(vertex) - center).squaredNorm() > (result - center).squaredNorm()) {
         result = point(vertex);
@@ -87,7 +87,7 @@ public:
   }
 
   /// The largest extent of `piece` from `origin` in `direction`; 0 if it does not reach beyond `origin`.
-  double extent(Index piece, const Vector_3& origin, const Vector_3& direction) const
+  double extent(Index piece, const Vector3& origin, const Vector3& direction) const
   {
     double result = 0;
     for (Index vertex : m_vertices[piece]) {
@@ -136,7 +136,7 @@ private:
   /// Node i is that of the separator at position i.
   void place_separators()
   {
-    std::vector<Vector_3> outline;
+    std::vector<Vector3> outline;
     for (Index i = 0; i < m_cut.packed.size(); ++i) {
       const Separator& separator = m_cut.separator(i);
       crossing_points(m_cut.solid.triangulation(), separator.crossings, outline);
@@ -169,14 +169,14 @@ private:
   /// Adds a node in the middle of `piece`, joined to its separators.
   Index add_middle(Index piece)
   {
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     double weight = 0;
     double radius = 0;
-    const auto add = [&](const Vector_3& point, double point_weight) {
+    const auto add = [&](const Vector3& point, double point_weight) {
       sum += point_weight * point;
       weight += point_weight;
     };
-    if (const std::optional<Vector_3> centroid = m_pieces.centroid(piece)) {
+    if (const std::optional<Vector3> centroid = m_pieces.centroid(piece)) {
       add(*centroid, m_cut.cut_graph.pieces()[piece].area);
     }
     for (Index i : m_cut.around(piece)) {
@@ -184,7 +184,7 @@ private:
       add(separator.center, separator_weight * separator.length * separator.length);
       radius = std::max(radius, separator.radius());
     }
-    const Vector_3 position = weight > 0 ? Vector_3(sum / weight) : m_pieces.point(*m_pieces[piece].begin());
+    const Vector3 position = weight > 0 ? Vector3(sum / weight) : m_pieces.point(*m_pieces[piece].begin());
     const Index node = m_graph.add_node(position, radius);
     m_graph[node].pieces = {piece};
     for (Index i : m_cut.around(piece)) {
@@ -202,10 +202,10 @@ private:
   void bend_edge(Index piece, Index a, Index b)
   {
     const double radius = (m_graph[a].radius + m_graph[b].radius) / 2;
-    const Vector_3 middle = (m_graph[a].position + m_graph[b].position) / 2;
-    const Vector_3 way = m_graph[b].position - m_graph[a].position;
-    const Vector_3 aside = m_pieces.centroid(piece).value_or(middle) - middle;
-    const Vector_3 point = middle + bend_share * (aside - aside.dot(way) / way.squaredNorm() * way);
+    const Vector3 middle = (m_graph[a].position + m_graph[b].position) / 2;
+    const Vector3 way = m_graph[b].position - m_graph[a].position;
+    const Vector3 aside = m_pieces.centroid(piece).value_or(middle) - middle;
+    const Vector3 point = middle + bend_share * (aside - aside.dot(way) / way.squaredNorm() * way);
     if (!m_graph[a].is_on_sheet && way.norm() >= min_bent_edge * radius &&
         (point - middle).norm() < bend_share * radius && m_cut.solid.is_inside(point)) {
       m_graph.split_edge(a, b, point, radius);

@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Dijkstra_search.h>
 
@@ -39,22 +39,22 @@ public:
   /// Points inside such that each sees the next, the first one `from` and the last one `to`; none, where no way was
   /// found, as where components of different orientation overlap, or the ways before took too much work. \pre both are
   /// inside
-  std::vector<Vector_3> find(const Vector_3& from, const Vector_3& to)
+  std::vector<Vector3> find(const Vector3& from, const Vector3& to)
   {
     if (m_work_left == 0 || !trace_surface(from, to)) {
       return {};
     }
     m_max_depth = (to - from).norm();
-    std::vector<Vector_3> way;
-    Vector_3 here = from;
+    std::vector<Vector3> way;
+    Vector3 here = from;
     std::size_t first = 0; // the start that the way has come to, ...
     int level = -1;        // ... halvings of the depth there
     while (!sees(here, to)) {
       // The deepest point that can be seen from here, far ones first; of the last start, a point nearer to the surface.
-      std::optional<Vector_3> next;
+      std::optional<Vector3> next;
       for (int halvings = 0; !next && halvings <= max_halvings; ++halvings) {
         for (std::size_t step = m_starts.size() - first; !next && step > 0; step /= 2) {
-          const std::optional<Vector_3> point = below(m_starts[first + step - 1], halvings);
+          const std::optional<Vector3> point = below(m_starts[first + step - 1], halvings);
           if (point && (step > 1 || halvings > level) && sees(here, *point)) {
             next = point;
             first += step - 1;
@@ -84,22 +84,22 @@ private:
   /// A point of the surface, from where one goes inwards.
   struct Start
   {
-    Vector_3 point;
-    Vector_3 inward; ///< of unit length
+    Vector3 point;
+    Vector3 inward; ///< of unit length
   };
 
   void count_work() { m_work_left -= m_work_left > 0 ? 1 : 0; }
 
   /// Writes the way on the surface from where the segment leaves the body first to where it enters it last to
   /// `m_starts`. \return false if there is none
-  bool trace_surface(const Vector_3& from, const Vector_3& to)
+  bool trace_surface(const Vector3& from, const Vector3& to)
   {
     m_starts.clear();
     m_solid.crossings(from, to, m_crossings);
     if (m_crossings.size() < 2) {
       return false;
     }
-    const Vector_3 direction = (to - from).normalized();
+    const Vector3 direction = (to - from).normalized();
     const Surface_point leaving = m_solid.closest_point(from + m_crossings.front() * direction);
     const Surface_point entering = m_solid.closest_point(from + m_crossings.back() * direction);
     if (!search_faces(entering.face, leaving.face)) {
@@ -133,7 +133,7 @@ private:
         m_search.clear();
         return;
       }
-      const Vector_3 center = center_of(face);
+      const Vector3 center = center_of(face);
       for (const Index h : Triangulated_surface::face_halfedges(face)) {
         const Index neighbor = Triangulated_surface::face(m_surface.twin(h));
         if (m_search.reach(neighbor, distance + float((center_of(neighbor) - center).norm()))) {
@@ -146,7 +146,7 @@ private:
 
   /// The middle of the body below `start`, or a point as far away as the ends of the way are from each other, where the
   /// body is thicker; or as many times nearer.
-  std::optional<Vector_3> below(const Start& start, int halvings)
+  std::optional<Vector3> below(const Start& start, int halvings)
   {
     constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
     count_work();
@@ -159,11 +159,11 @@ private:
       return std::nullopt;
     }
     const double depth = std::min(hit->distance / 2, m_max_depth);
-    return Vector_3(start.point + std::ldexp(depth, -halvings) * start.inward);
+    return Vector3(start.point + std::ldexp(depth, -halvings) * start.inward);
   }
 
   /// Whether the segment is free in both directions: along faces that touch, the answers may differ.
-  bool sees(const Vector_3& from, const Vector_3& to)
+  bool sees(const Vector3& from, const Vector3& to)
   {
     count_work();
     m_solid.crossings(from, to, m_crossings);
@@ -173,14 +173,14 @@ private:
     return m_crossings.empty();
   }
 
-  Vector_3 center_of(Index face) const
+  Vector3 center_of(Index face) const
   {
     return (m_surface.point(m_surface.origin(3 * face)) + m_surface.point(m_surface.target(3 * face)) +
             m_surface.point(m_surface.opposite_vertex(3 * face))) /
            3;
   }
 
-  Vector_3 inward_of(Index face) const { return (-m_surface.face_vector(face)).normalized(); }
+  Vector3 inward_of(Index face) const { return (-m_surface.face_vector(face)).normalized(); }
 
   const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;
@@ -209,8 +209,8 @@ public:
   void bring_inside(Index node)
   {
     if (is_outside(node)) {
-      const Vector_3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
-      const std::optional<Vector_3> place =
+      const Vector3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
+      const std::optional<Vector3> place =
           m_graph.is_junction(node) && m_surface.is_inside(start) ? start : middle_behind(start, node);
       m_graph[node].position = place.value_or(m_graph[node].position);
     }
@@ -236,7 +236,7 @@ public:
   }
 
   /// Whether the segment stays inside, if it starts there.
-  bool is_free(const Vector_3& from, const Vector_3& to)
+  bool is_free(const Vector3& from, const Vector3& to)
   {
     m_surface.crossings(from, to, m_crossings);
     return m_crossings.empty();
@@ -275,10 +275,10 @@ private:
   /// Shorter stretches outside count as rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
-  static double diagonal(const std::vector<Vector_3>& points)
+  static double diagonal(const std::vector<Vector3>& points)
   {
     Bounding_box box;
-    for (const Vector_3& point : points) {
+    for (const Vector3& point : points) {
       box.extend(point);
     }
     return box.diagonal();
@@ -295,7 +295,7 @@ private:
   }
 
   /// The middle of the body behind `point`, which is at `node` or on an edge there.
-  std::optional<Vector_3> middle_behind(const Vector_3& point, Index node) const
+  std::optional<Vector3> middle_behind(const Vector3& point, Index node) const
   {
     if (m_graph[node].is_on_sheet) {
       return middle_of_sheet(m_surface, point, m_graph[node].radius);
@@ -304,13 +304,13 @@ private:
   }
 
   /// The middle of the first stretch of the edge that is outside.
-  std::optional<Vector_3> first_stretch_outside(Index a, Index b, bool starts_outside)
+  std::optional<Vector3> first_stretch_outside(Index a, Index b, bool starts_outside)
   {
     if (is_free(a, b) && (!starts_outside || m_graph[b].is_opening)) {
       return std::nullopt;
     }
-    const Vector_3& from = m_graph[a].position;
-    const Vector_3& to = m_graph[b].position;
+    const Vector3& from = m_graph[a].position;
+    const Vector3& to = m_graph[b].position;
     const double length = (to - from).norm();
     m_surface.crossings(from, to, m_crossings);
     m_crossings.push_back(length);
@@ -318,7 +318,7 @@ private:
     double last = 0;
     for (double crossing : m_crossings) {
       if (is_stretch_outside && crossing - last > m_offset) {
-        return Vector_3(from + (last + crossing) / (2 * length) * (to - from));
+        return Vector3(from + (last + crossing) / (2 * length) * (to - from));
       }
       is_stretch_outside = !is_stretch_outside;
       last = crossing;
@@ -333,11 +333,11 @@ private:
     if (is_free(a, b)) {
       return;
     }
-    const std::optional<Vector_3> stretch = first_stretch_outside(a, b, is_outside(a));
+    const std::optional<Vector3> stretch = first_stretch_outside(a, b, is_outside(a));
     if (!stretch || follow_surface(a, b, way) || level == max_bends) {
       return;
     }
-    if (const std::optional<Vector_3> middle = middle_behind(*stretch, a)) {
+    if (const std::optional<Vector3> middle = middle_behind(*stretch, a)) {
       const Index node = m_graph.split_edge(a, b, *middle, mean_radius(a, b));
       route(a, node, way, level + 1);
       route(node, b, way, level + 1);
@@ -354,12 +354,12 @@ private:
       if (!way) {
         way.emplace(m_surface);
       }
-      const std::vector<Vector_3> points = way->find(m_graph[a].position, m_graph[b].position);
+      const std::vector<Vector3> points = way->find(m_graph[a].position, m_graph[b].position);
       if (points.empty()) {
         return false;
       }
       const double radius = mean_radius(a, b);
-      for (const Vector_3& point : points) {
+      for (const Vector3& point : points) {
         a = m_graph.split_edge(a, b, point, radius);
       }
       return true;

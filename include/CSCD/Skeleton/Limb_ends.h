@@ -12,7 +12,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,11 +24,11 @@ namespace CSCD::internal {
 /// A closed curve of edges between faces of the surface and hole-filling faces.
 struct Bridged_border
 {
-  Vector_3 centroid = Vector_3::Zero(); ///< by length
-  Vector_3 normal = Vector_3::Zero();   ///< out of the opening: along the area vector
-  double length = 0;                    ///< of the curve
-  double radius = 0;                    ///< mean distance of the curve from its centroid
-  std::vector<Index> pieces;            ///< of the cut surface, that it passes, in ascending order
+  Vector3 centroid = Vector3::Zero(); ///< by length
+  Vector3 normal = Vector3::Zero();   ///< out of the opening: along the area vector
+  double length = 0;                  ///< of the curve
+  double radius = 0;                  ///< mean distance of the curve from its centroid
+  std::vector<Index> pieces;          ///< of the cut surface, that it passes, in ascending order
 };
 
 /// The border along the halfedges of `curve`.
@@ -36,7 +36,7 @@ inline Bridged_border measure_border(const Triangulated_surface& surface, const 
                                      const std::vector<Index>& curve)
 {
   Bridged_border border;
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   for (Index h : curve) {
     points.push_back(surface.point(surface.origin(h)));
     border.pieces.push_back(cut_graph.piece_of_vertex(surface.origin(h)));
@@ -48,7 +48,7 @@ inline Bridged_border measure_border(const Triangulated_surface& surface, const 
   border.normal = measures.vector_area.normalized();
   border.length = measures.length;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector_3& next = points[i + 1 < points.size() ? i + 1 : 0];
+    const Vector3& next = points[i + 1 < points.size() ? i + 1 : 0];
     const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
     border.radius += (next - points[i]).norm() / border.length * distance;
   }
@@ -169,8 +169,8 @@ private:
     for (Index i : m_cut.around(piece)) {
       radius = std::max(radius, m_cut.separator(i).radius());
     }
-    const std::optional<Vector_3> centroid = m_pieces.centroid(piece);
-    const Vector_3 stump = centroid ? Vector_3(border.centroid - *centroid) : Vector_3::Zero();
+    const std::optional<Vector3> centroid = m_pieces.centroid(piece);
+    const Vector3 stump = centroid ? Vector3(border.centroid - *centroid) : Vector3::Zero();
     return stump.norm() >= min_stump_length * radius && border.radius >= min_stump_radius * radius &&
            border.normal.dot(stump) >= min_stump_cosine * stump.norm();
   }
@@ -196,7 +196,7 @@ private:
     const bool is_end = m_cut.around(piece).size() == 1 && m_openings[piece].size() == 1;
     for (const Bridged_border& border : m_openings[piece]) {
       const Index last = is_end ? shorten_limb(piece, node, border) : node;
-      const Vector_3 position = border.centroid - opening_depth * border.radius * border.normal;
+      const Vector3 position = border.centroid - opening_depth * border.radius * border.normal;
       const Index opening = m_graph.add_node(position, border.radius);
       m_graph[opening].is_opening = true;
       m_graph.add_edge(last, opening);
@@ -227,7 +227,7 @@ private:
     const std::vector<Bridged_border>& openings = m_openings[piece];
     const std::size_t number_of_ways = m_cut.around(piece).size() + openings.size();
     const Index base = m_nodes.node_of_piece(piece);
-    const Vector_3 start = m_graph[base].position;
+    const Vector3 start = m_graph[base].position;
     // From outside, tips would lead somewhere into the wall of a hollow body; from a component without thickness, into
     // another component.
     if (number_of_ways > 1 || !(m_graph[base].radius > min_thickness) || !m_cut.solid.is_inside(start)) {
@@ -240,26 +240,26 @@ private:
         add_tip(piece, base, outward_normal(piece, start));
       }
     } else {
-      const Vector_3 direction = (m_pieces.farthest(piece, start) - start).normalized();
+      const Vector3 direction = (m_pieces.farthest(piece, start) - start).normalized();
       add_tip(piece, base, direction);
       add_tip(piece, base, -direction);
     }
   }
 
   /// The normal of the only separator of `piece`, at `start`, into the piece.
-  Vector_3 outward_normal(Index piece, const Vector_3& start) const
+  Vector3 outward_normal(Index piece, const Vector3& start) const
   {
     const Index end = m_cut.around(piece).front();
     const double side = m_cut.cut_graph.sides(end).left == piece ? 1 : -1;
-    const Vector_3 normal = side * m_cut.separator(end).normal;
-    return normal.dot(m_pieces.centroid(piece).value_or(start + normal) - start) < 0 ? Vector_3(-normal) : normal;
+    const Vector3 normal = side * m_cut.separator(end).normal;
+    return normal.dot(m_pieces.centroid(piece).value_or(start + normal) - start) < 0 ? Vector3(-normal) : normal;
   }
 
   /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
-  void add_tip(Index piece, Index base, const Vector_3& direction)
+  void add_tip(Index piece, Index base, const Vector3& direction)
   {
     const double radius = m_graph[base].radius;
-    const Vector_3 start = m_graph[base].position;
+    const Vector3 start = m_graph[base].position;
     const double reach = distance_to_end(piece, base, direction);
     const double depth = tip_depth * radius;
     const double length = reach - (reach > depth ? depth : depth / 2);
@@ -273,9 +273,9 @@ private:
     }
   }
 
-  double distance_to_end(Index piece, Index base, const Vector_3& direction) const
+  double distance_to_end(Index piece, Index base, const Vector3& direction) const
   {
-    const Vector_3& start = m_graph[base].position;
+    const Vector3& start = m_graph[base].position;
     if (m_graph[base].is_on_sheet) {
       return m_pieces.extent(piece, start, direction); // the sheet may bend away from a ray
     }

@@ -12,7 +12,7 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>
@@ -25,14 +25,14 @@
 namespace CSCD::internal {
 
 /// The point at `distance` from the point at position `first` of the closed curve `points`, along the curve.
-inline Vector_3 point_along(const std::vector<Vector_3>& points, std::size_t first, double distance)
+inline Vector3 point_along(const std::vector<Vector3>& points, std::size_t first, double distance)
 {
   for (std::size_t i = first;; ++i) {
-    const Vector_3& a = points[i % points.size()];
-    const Vector_3& b = points[(i + 1) % points.size()];
+    const Vector3& a = points[i % points.size()];
+    const Vector3& b = points[(i + 1) % points.size()];
     const double length = (b - a).norm();
     if (distance <= length) {
-      return length > 0 ? Vector_3(a + distance / length * (b - a)) : a;
+      return length > 0 ? Vector3(a + distance / length * (b - a)) : a;
     }
     distance -= length;
   }
@@ -42,11 +42,11 @@ inline Vector_3 point_along(const std::vector<Vector_3>& points, std::size_t fir
 /// halfway along the longest part on each side. Nothing where it stays on one. Linear.
 /// \param side_of_sheet as for `sides_of_sheet()`
 template <class Sides>
-std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface, const Sides& side_of_sheet,
-                                             const std::vector<Edge_crossing>& crossings)
+std::optional<Vector3> middle_of_open_curve(const Triangulated_surface& surface, const Sides& side_of_sheet,
+                                            const std::vector<Edge_crossing>& crossings)
 {
   constexpr unsigned both_sides = 3;
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   crossing_points(surface, crossings, points);
   std::vector<unsigned> sides;
   sides.reserve(crossings.size());
@@ -56,7 +56,7 @@ std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface
   const std::size_t n = points.size();
   const auto start = std::size_t(std::find(sides.begin(), sides.end(), both_sides) - sides.begin());
   std::array<double, both_sides + 1> longest{-1, -1, -1, -1}; // on each side
-  std::array<Vector_3, both_sides + 1> middle;
+  std::array<Vector3, both_sides + 1> middle;
   for (std::size_t first = start + 1; start < n && first < start + n; ++first) {
     const unsigned side = sides[first % n];
     double length = 0;
@@ -69,16 +69,16 @@ std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface
       middle[side] = point_along(points, begin, length / 2);
     }
   }
-  return std::min(longest[1], longest[2]) < 0 ? std::nullopt : std::optional<Vector_3>((middle[1] + middle[2]) / 2);
+  return std::min(longest[1], longest[2]) < 0 ? std::nullopt : std::optional<Vector3>((middle[1] + middle[2]) / 2);
 }
 
 /// The middle between the sides of a sheet behind the surface that is nearest to `point`.
 /// \param radius half of the width of the sheet there: a middle farther away is that of another body
 template <class Surface>
-std::optional<Vector_3> middle_of_sheet(const Surface& surface, const Vector_3& point, double radius)
+std::optional<Vector3> middle_of_sheet(const Surface& surface, const Vector3& point, double radius)
 {
   constexpr double max_shift = 2; // relative to the radius
-  const std::optional<Vector_3> middle = surface.middle_behind(point);
+  const std::optional<Vector3> middle = surface.middle_behind(point);
   return middle && (*middle - point).norm() <= max_shift * radius ? middle : std::nullopt;
 }
 
@@ -90,7 +90,7 @@ public:
 
   /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, if it is
   /// about as wide as expected.
-  std::optional<Vector_3> operator()(const Vector_3& point, const Vector_3& axis, double expected_half_width)
+  std::optional<Vector3> operator()(const Vector3& point, const Vector3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides
     const Index face = m_solid.closest_point(point).face;
@@ -114,7 +114,7 @@ private:
   static constexpr double max_length = 1.5;
 
   /// The corner of `face` that is nearest to the plane through `point` perpendicular to `axis`.
-  Index nearest_corner(Index face, const Vector_3& point, const Vector_3& axis) const
+  Index nearest_corner(Index face, const Vector3& point, const Vector3& axis) const
   {
     const Triangulated_surface& surface = m_solid.query_surface();
     const auto distance = [&](Index h) { return std::fabs(axis.dot(surface.point(surface.origin(h)) - point)); };
@@ -161,18 +161,18 @@ inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
 
 /// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
 /// where that is not found.
-inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, const Vector_3& point)
+inline std::optional<Vector3> point_in_sheet(const Triangulated_solid& solid, const Vector3& point)
 {
-  return solid.is_inside(point) ? std::optional<Vector_3>(point) : solid.middle_behind(point);
+  return solid.is_inside(point) ? std::optional<Vector3>(point) : solid.middle_behind(point);
 }
 
 /// Points of the rims of all sheets, as far from each other as their vertices. Linear.
-inline std::vector<Vector_3> rim_points(const Triangulated_solid& solid)
+inline std::vector<Vector3> rim_points(const Triangulated_solid& solid)
 {
   const Surface_level& level = solid.query_level();
   const Triangulated_surface& surface = level.surface;
   const auto side = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
-  std::vector<Vector_3> result;
+  std::vector<Vector3> result;
   for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
     if (side(surface.origin(h)) == 1 && side(surface.target(h)) == 2) {
       result.push_back((surface.point(surface.origin(h)) + surface.point(surface.target(h))) / 2);
@@ -253,11 +253,11 @@ private:
   /// the end, which need not be perpendicular to the branch. \return false if the sheet ends before
   bool advance(double step)
   {
-    const std::optional<Vector_3> point = point_in_sheet(m_solid, m_position + step * m_direction);
+    const std::optional<Vector3> point = point_in_sheet(m_solid, m_position + step * m_direction);
     if (!point || m_direction.dot(*point - m_position) < min_progress * step) {
       return false;
     }
-    const std::optional<Vector_3> middle = m_section(*point, m_direction, m_half_width);
+    const std::optional<Vector3> middle = m_section(*point, m_direction, m_half_width);
     const double shift = middle ? (*middle - *point).norm() : m_half_width;
     const double loss = m_half_width - m_section.half_width();
     // A middle that is farther aside than the step is long is that of a section along the border at the end.
@@ -284,7 +284,7 @@ private:
     while (m_graph.is_regular(node) && m_graph.edge_length(tip, node) < m_half_width) {
       before = std::exchange(node, m_graph.other_neighbor(node, before));
     }
-    const Vector_3 way = m_position - m_graph[node].position;
+    const Vector3 way = m_position - m_graph[node].position;
     if (!(m_half_width > 0 && way.norm() > 0)) {
       return false;
     }
@@ -304,7 +304,7 @@ private:
   /// its middle.
   void turn_to_shortest_section()
   {
-    const Vector_3 aside =
+    const Vector3 aside =
         m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
     std::array<double, 3> half_width{};
     for (std::size_t k = 0; k < half_width.size(); ++k) {
@@ -316,8 +316,8 @@ private:
     const double slope = half_width[2] - half_width[0];
     const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
     const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
-    const Vector_3 direction = (m_direction + change * turn * aside).normalized();
-    const std::optional<Vector_3> middle = m_section(m_position, direction, m_half_width);
+    const Vector3 direction = (m_direction + change * turn * aside).normalized();
+    const std::optional<Vector3> middle = m_section(m_position, direction, m_half_width);
     if (middle && (*middle - m_position).norm() < m_half_width) {
       m_position = *middle;
       m_direction = direction;
@@ -328,8 +328,8 @@ private:
   const Triangulated_solid& m_solid;
   Skeleton_builder& m_graph;
   Sheet_section m_section;
-  Vector_3 m_position = Vector_3::Zero(); ///< where the branch has been led to
-  Vector_3 m_direction = Vector_3::Zero();
+  Vector3 m_position = Vector3::Zero(); ///< where the branch has been led to
+  Vector3 m_direction = Vector3::Zero();
   double m_half_width = 0; ///< there
   double m_taper = 0;      ///< its steepest fall, relative to the way
 };

@@ -7,7 +7,7 @@
 #define CSCD_SKELETON_SKELETON_BUILDER_H
 
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -34,7 +34,7 @@ public:
   struct Node
   {
     /// In the coordinates of the surface.
-    Vector_3 position = Vector_3::Zero();
+    Vector3 position = Vector3::Zero();
     /// Radius of the body around the node.
     double radius = 0;
     /// Positions of the packed separators that the node represents.
@@ -56,7 +56,7 @@ public:
   };
 
   /// Adds a node without edges. \return its number
-  Index add_node(const Vector_3& position, double radius)
+  Index add_node(const Vector3& position, double radius)
   {
     m_nodes.emplace_back();
     m_nodes.back().position = position;
@@ -72,7 +72,7 @@ public:
   }
 
   /// Replaces one edge between `a` and `b` by a path over the new node at `position`. \return the new node
-  Index split_edge(Index a, Index b, const Vector_3& position, double radius)
+  Index split_edge(Index a, Index b, const Vector3& position, double radius)
   {
     const Index node = add_node(position, radius);
     replace_one(m_nodes[a].neighbors, b, node);
@@ -129,9 +129,9 @@ public:
   double edge_length(Index a, Index b) const { return (m_nodes[a].position - m_nodes[b].position).norm(); }
 
   /// The middle of the nodes that are adjacent to `node`. \pre it has one
-  Vector_3 middle_of_neighbors(Index node) const
+  Vector3 middle_of_neighbors(Index node) const
   {
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     for (Index neighbor : m_nodes[node].neighbors) {
       sum += m_nodes[neighbor].position;
     }
@@ -278,12 +278,12 @@ inline void make_simple(Skeleton_builder& builder)
   std::set<Skeleton_builder::Edge> seen;
   for (const auto& [a, b] : builder.edges()) {
     const double radius = (builder[a].radius + builder[b].radius) / 2;
-    const Vector_3 along = builder[b].position - builder[a].position;
+    const Vector3 along = builder[b].position - builder[a].position;
     if (a == b) {
-      const Index first = builder.split_edge(a, a, builder[a].position + radius * Vector_3::UnitX() / 2, radius);
-      builder.split_edge(first, a, builder[a].position + radius * Vector_3::UnitY() / 2, radius);
+      const Index first = builder.split_edge(a, a, builder[a].position + radius * Vector3::UnitX() / 2, radius);
+      builder.split_edge(first, a, builder[a].position + radius * Vector3::UnitY() / 2, radius);
     } else if (!seen.insert({a, b}).second) {
-      const Vector_3 aside = along.norm() > 0 ? Vector_3(along.unitOrthogonal()) : Vector_3(Vector_3::UnitX());
+      const Vector3 aside = along.norm() > 0 ? Vector3(along.unitOrthogonal()) : Vector3(Vector3::UnitX());
       builder.split_edge(a, b, builder[a].position + along / 2 + radius / 2 * aside, radius);
     }
   }

@@ -9,7 +9,7 @@
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -102,24 +102,24 @@ private:
     std::sort(nodes.begin(), nodes.end());
   }
 
-  double squared_distance(const Vector_3& point, Index node) const
+  double squared_distance(const Vector3& point, Index node) const
   {
     return (point - m_builder[node].position).squaredNorm();
   }
 
-  Index nearest(const Vector_3& point, const std::vector<Index>& nodes) const
+  Index nearest(const Vector3& point, const std::vector<Index>& nodes) const
   {
     return *std::min_element(nodes.begin(), nodes.end(),
                              [&](Index a, Index b) { return squared_distance(point, a) < squared_distance(point, b); });
   }
 
   /// The squared distance of `point` from the edges at `node`, or from `node` where it has none.
-  double squared_distance_from_curve(const Vector_3& point, Index node) const
+  double squared_distance_from_curve(const Vector3& point, Index node) const
   {
     double least = squared_distance(point, node);
-    const Vector_3& origin = m_builder[node].position;
+    const Vector3& origin = m_builder[node].position;
     for (Index neighbor : m_builder[node].neighbors) {
-      const Vector_3 edge = m_builder[neighbor].position - origin;
+      const Vector3 edge = m_builder[neighbor].position - origin;
       const double squared_length = edge.squaredNorm();
       const double along = squared_length > 0 ? std::clamp(edge.dot(point - origin) / squared_length, 0., 1.) : 0.;
       if (along > 0) {

@@ -19,7 +19,7 @@
 #include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ inline bool thin_branches(const Triangulated_solid& solid, const Vertex_assignme
     const Index b = node.neighbors[1];
     const double to_a = graph.edge_length(index, a);
     const double along = to_a / (to_a + graph.edge_length(index, b));
-    const Vector_3 place = (1 - along) * graph[a].position + along * graph[b].position;
+    const Vector3 place = (1 - along) * graph[a].position + along * graph[b].position;
     const double deviation = (place - node.position).norm() / radius[index];
     const double change_of_radius =
         std::abs((1 - along) * radius[a] + along * radius[b] - radius[index]) / radius[index];

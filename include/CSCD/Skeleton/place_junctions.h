@@ -9,7 +9,7 @@
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <optional>
@@ -47,7 +47,7 @@ inline void merge_junctions(Skeleton_builder& graph)
 /// A ball in the body.
 struct Ball
 {
-  Vector_3 center = Vector_3::Zero();
+  Vector3 center = Vector3::Zero();
   double radius = 0;
 };
 
@@ -56,17 +56,17 @@ struct Ball
 /// \param nearest a function that returns the bounding point nearest to a point
 /// \param place a function that returns where a point is to be instead, if anywhere
 template <class Nearest, class Place>
-Ball inscribed_ball(const Nearest& nearest, const Place& place, const Vector_3& start, double max_shift)
+Ball inscribed_ball(const Nearest& nearest, const Place& place, const Vector3& start, double max_shift)
 {
   // More steps move a junction by less than a hundredth of its radius.
   constexpr int number_of_steps = 10;
   constexpr double first_step = 0.5;
-  Vector_3 touched = nearest(start);
+  Vector3 touched = nearest(start);
   Ball ball{start, (start - touched).norm()};
   double step = first_step;
   for (int i = 0; i < number_of_steps && ball.radius > 0; ++i) {
-    const std::optional<Vector_3> candidate = place(ball.center + step * (ball.center - touched));
-    const Vector_3 candidate_touched = nearest(candidate.value_or(start));
+    const std::optional<Vector3> candidate = place(ball.center + step * (ball.center - touched));
+    const Vector3 candidate_touched = nearest(candidate.value_or(start));
     const double radius = candidate ? (*candidate - candidate_touched).norm() : 0;
     if (radius <= ball.radius || (*candidate - start).norm() > max_shift) {
       step /= 2;
@@ -110,30 +110,30 @@ private:
     }
   }
 
-  Ball ball_in_body(const Vector_3& start, double max_shift) const
+  Ball ball_in_body(const Vector3& start, double max_shift) const
   {
-    return inscribed_ball([this](const Vector_3& point) { return m_solid.closest_point(point).point; },
-                          [](const Vector_3& point) { return std::optional<Vector_3>(point); }, start, max_shift);
+    return inscribed_ball([this](const Vector3& point) { return m_solid.closest_point(point).point; },
+                          [](const Vector3& point) { return std::optional<Vector3>(point); }, start, max_shift);
   }
 
   /// A ball around a point of a sheet, up to the border.
-  Ball disc(const Vector_3& start, double max_shift)
+  Ball disc(const Vector3& start, double max_shift)
   {
     if (m_rim.empty()) {
       m_rim = rim_points(m_solid);
     }
-    const auto nearest = [this](const Vector_3& point) {
-      return *std::min_element(m_rim.begin(), m_rim.end(), [&point](const Vector_3& a, const Vector_3& b) {
+    const auto nearest = [this](const Vector3& point) {
+      return *std::min_element(m_rim.begin(), m_rim.end(), [&point](const Vector3& a, const Vector3& b) {
         return (a - point).squaredNorm() < (b - point).squaredNorm();
       });
     };
-    const auto place = [this](const Vector_3& point) { return point_in_sheet(m_solid, point); };
+    const auto place = [this](const Vector3& point) { return point_in_sheet(m_solid, point); };
     return inscribed_ball(nearest, place, start, max_shift);
   }
 
   const Triangulated_solid& m_solid;
   Skeleton_builder& m_builder;
-  std::vector<Vector_3> m_rim; ///< of sheets; empty until there is a junction on one
+  std::vector<Vector3> m_rim; ///< of sheets; empty until there is a junction on one
 };
 
 } // namespace CSCD::internal

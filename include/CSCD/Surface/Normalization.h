@@ -7,7 +7,7 @@
 #define CSCD_SURFACE_NORMALIZATION_H
 
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <array>
@@ -20,13 +20,13 @@ namespace CSCD {
 /// Normalized coordinates: the point `x` of the input is `(x - origin) / unit`.
 struct Normalization
 {
-  Vector_3 origin = Vector_3::Zero(); ///< in the coordinates of the input
-  double unit = 1;                    ///< in the unit of the input, positive
+  Vector3 origin = Vector3::Zero(); ///< in the coordinates of the input
+  double unit = 1;                  ///< in the unit of the input, positive
 
   /// The point of the input that `point` is.
-  Vector_3 to_input(const Vector_3& point) const { return origin + unit * point; }
+  Vector3 to_input(const Vector3& point) const { return origin + unit * point; }
   /// The normalized point that `point` of the input is.
-  Vector_3 from_input(const Vector_3& point) const { return (point - origin) / unit; }
+  Vector3 from_input(const Vector3& point) const { return (point - origin) / unit; }
 
   /// The normalization that first applies this one and then `second`.
   Normalization then(const Normalization& second) const { return {to_input(second.origin), unit * second.unit}; }
@@ -34,7 +34,7 @@ struct Normalization
 
 /// The point of any type, constructible from three coordinates, that `point` is in the input.
 template <class Point>
-Point to_input_point(const Normalization& normalization, const Vector_3& point)
+Point to_input_point(const Normalization& normalization, const Vector3& point)
 {
   return internal::make_point<Point>(normalization.to_input(point));
 }
@@ -42,9 +42,9 @@ Point to_input_point(const Normalization& normalization, const Vector_3& point)
 namespace internal {
 
 /// Replaces `points` by the normalized ones.
-inline void normalize(std::vector<Vector_3>& points, const Normalization& normalization)
+inline void normalize(std::vector<Vector3>& points, const Normalization& normalization)
 {
-  for (Vector_3& point : points) {
+  for (Vector3& point : points) {
     point = normalization.from_input(point);
   }
 }
@@ -59,12 +59,12 @@ inline constexpr double min_relative_area = 1e-12;
 inline Normalization normalize_area(Indexed_triangles& triangles)
 {
   double area = 0;
-  Vector_3 moment = Vector_3::Zero();
+  Vector3 moment = Vector3::Zero();
   for (std::size_t f = 0; f < triangles.first_hole_filling_face; ++f) {
     const std::array<Index, 3>& face = triangles.faces[f];
-    const Vector_3& a = triangles.points[face[0]];
-    const Vector_3& b = triangles.points[face[1]];
-    const Vector_3& c = triangles.points[face[2]];
+    const Vector3& a = triangles.points[face[0]];
+    const Vector3& b = triangles.points[face[1]];
+    const Vector3& c = triangles.points[face[2]];
     const double face_area = internal::triangle_area(a, b, c);
     area += face_area;
     moment += face_area / 3 * (a + b + c);
@@ -87,11 +87,11 @@ inline constexpr double max_extent = 1e290;
 /// The result depends on the set of points alone, not on their order. Linear.
 /// \pre `points` is not empty and all coordinates are finite
 /// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
-inline Normalization normalize_extent(std::vector<Vector_3>& points)
+inline Normalization normalize_extent(std::vector<Vector3>& points)
 {
-  Vector_3 least = points.front();
-  Vector_3 greatest = points.front();
-  for (const Vector_3& point : points) {
+  Vector3 least = points.front();
+  Vector3 greatest = points.front();
+  for (const Vector3& point : points) {
     least = least.cwiseMin(point);
     greatest = greatest.cwiseMax(point);
   }

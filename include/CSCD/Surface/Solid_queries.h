@@ -7,7 +7,7 @@
 #define CSCD_SURFACE_SOLID_QUERIES_H
 
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Box_tree.h>
 
 #include <algorithm>
@@ -45,16 +45,16 @@ public:
 
   /// Whether the body holds `point`: whether the surface winds around it. Where bodies overlap, or the surface
   /// intersects itself, the inside of several sheets is inside.
-  bool is_inside(const Vector_3& point) const { return winding_number(point) != 0; }
+  bool is_inside(const Vector3& point) const { return winding_number(point) != 0; }
 
   /// The point of the surface that is nearest to `point`.
   /// \param near a face that may be near, such as that of the answer for a neighbor of `point`: it saves time
-  Surface_point closest_point(const Vector_3& point, Index near = no_index) const
+  Surface_point closest_point(const Vector3& point, Index near = no_index) const
   {
     Surface_point nearest;
     double least = std::numeric_limits<double>::max();
     const auto try_face = [&](Index face) {
-      const Vector_3 candidate = closest_point_of_face(face, point);
+      const Vector3 candidate = closest_point_of_face(face, point);
       const double distance = (candidate - point).squaredNorm();
       if (nearest.face == no_index || distance < least) {
         least = distance;
@@ -77,7 +77,7 @@ public:
 
   /// The first point where the ray from `origin` along `direction`, not necessarily of unit length, meets the surface.
   /// \pre `direction` is not zero
-  std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  std::optional<Surface_hit> first_hit(const Vector3& origin, const Vector3& direction) const
   {
     const Ray ray(origin, direction.normalized());
     std::optional<Surface_hit> hit;
@@ -96,25 +96,25 @@ public:
   /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
   /// `point` through there leaves the body again. None where the body is too thin to decide, or the surface intersects
   /// itself. \pre `point` is not inside the body
-  std::optional<Vector_3> middle_behind(const Vector_3& point) const
+  std::optional<Vector3> middle_behind(const Vector3& point) const
   {
     const Surface_point nearest = closest_point(point);
     // On an edge or at a vertex no single face represents the surface; but very near to it, the line is lost to
     // rounding.
-    const Vector_3 through = nearest.point - point;
-    const Vector_3 inward =
-        (through.norm() > m_offset ? through : Vector_3(-m_surface.face_vector(nearest.face))).normalized();
+    const Vector3 through = nearest.point - point;
+    const Vector3 inward =
+        (through.norm() > m_offset ? through : Vector3(-m_surface.face_vector(nearest.face))).normalized();
     const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
     if (!hit) {
       return std::nullopt;
     }
-    const Vector_3 middle = (nearest.point + hit->point) / 2;
-    return is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
+    const Vector3 middle = (nearest.point + hit->point) / 2;
+    return is_inside(middle) ? std::optional<Vector3>(middle) : std::nullopt;
   }
 
   /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
   /// the body.
-  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  void crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const
   {
     distances.clear();
     const double length = (to - from).norm();
@@ -141,14 +141,14 @@ public:
 private:
   /// The point of `face` that is nearest to `point`, by the signs of the point's barycentric coordinates
   /// (C. Ericson, Real-Time Collision Detection, 5.1.5). A side without length is left to the other sides.
-  Vector_3 closest_point_of_face(Index face, const Vector_3& point) const
+  Vector3 closest_point_of_face(Index face, const Vector3& point) const
   {
     const std::array<Index, 3> corner = corners(face);
-    const Vector_3& a = m_surface.point(corner[0]);
-    const Vector_3& b = m_surface.point(corner[1]);
-    const Vector_3& c = m_surface.point(corner[2]);
-    const Vector_3 ab = b - a;
-    const Vector_3 ac = c - a;
+    const Vector3& a = m_surface.point(corner[0]);
+    const Vector3& b = m_surface.point(corner[1]);
+    const Vector3& c = m_surface.point(corner[2]);
+    const Vector3 ab = b - a;
+    const Vector3 ac = c - a;
     const double ab_at_a = ab.dot(point - a), ac_at_a = ac.dot(point - a);
     const double ab_at_b = ab.dot(point - b), ac_at_b = ac.dot(point - b);
     const double ab_at_c = ab.dot(point - c), ac_at_c = ac.dot(point - c);
@@ -176,7 +176,7 @@ private:
       return b + from_b / (from_b + from_c) * (c - b);
     }
     const double sum = at_a + at_b + at_c;
-    return sum > 0 ? Vector_3(a + at_b / sum * ab + at_c / sum * ac) : a;
+    return sum > 0 ? Vector3(a + at_b / sum * ab + at_c / sum * ac) : a;
   }
 
   /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and queries are as fast.
@@ -191,13 +191,13 @@ private:
 
   /// The direction of a ray that leaves the bounding box soon: any will do, and it misses most of many thin components.
   /// Not along an axis, as faces of designed parts are often perpendicular or parallel to these.
-  Vector_3 way_out(const Vector_3& point) const
+  Vector3 way_out(const Vector3& point) const
   {
-    const Vector_3 below = point - m_box.min();
-    const Vector_3 above = m_box.max() - point;
-    const Vector_3 nearer = below.cwiseMin(above);
+    const Vector3 below = point - m_box.min();
+    const Vector3 above = m_box.max() - point;
+    const Vector3 nearer = below.cwiseMin(above);
     const auto axis = std::min_element(nearer.begin(), nearer.end()) - nearer.begin();
-    Vector_3 direction;
+    Vector3 direction;
     direction[axis] = below[axis] < above[axis] ? -0.8523 : 0.8523;
     direction[(axis + 1) % 3] = 0.4127;
     direction[(axis + 2) % 3] = 0.3211;
@@ -231,12 +231,12 @@ private:
 
   struct Ray
   {
-    Ray(const Vector_3& ray_origin, const Vector_3& ray_direction) : origin(ray_origin), direction(ray_direction)
+    Ray(const Vector3& ray_origin, const Vector3& ray_direction) : origin(ray_origin), direction(ray_direction)
     {
       for (int i = 0; i < 3; ++i) {
         inverse[i] = direction[i] != 0 ? 1 / direction[i] : 0;
       }
-      const Vector_3 lengths = direction.cwiseAbs();
+      const Vector3 lengths = direction.cwiseAbs();
       main_axis = int(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
       first_axis = (main_axis + 1) % 3;
       second_axis = (main_axis + 2) % 3;
@@ -244,7 +244,7 @@ private:
 
     /// Coordinates of `point` where the ray is the positive third axis: the third one is the distance along the ray of
     /// the plane through `point` that is perpendicular to the main axis, the others are sheared along the ray.
-    Vector_3 to_ray_coordinates(const Vector_3& point) const
+    Vector3 to_ray_coordinates(const Vector3& point) const
     {
       const double height = (point[main_axis] - origin[main_axis]) * inverse[main_axis];
       return {point[first_axis] - origin[first_axis] - height * direction[first_axis],
@@ -272,8 +272,8 @@ private:
       return from <= to * (1 + 4 * std::numeric_limits<double>::epsilon()) ? from : infinity;
     }
 
-    Vector_3 origin, direction;
-    Vector_3 inverse; // of the coordinates of the direction, 0 for 0
+    Vector3 origin, direction;
+    Vector3 inverse; // of the coordinates of the direction, 0 for 0
     int main_axis = 0, first_axis = 1, second_axis = 2;
   };
 
@@ -297,7 +297,7 @@ private:
 
   /// How often the surface winds around `point`: by the crossings along one ray, which is exact on a closed surface, so
   /// that further rays would not help.
-  int winding_number(const Vector_3& point) const
+  int winding_number(const Vector3& point) const
   {
     int number = 0;
     visit_hits(Ray(point, way_out(point)), infinity, [&number](const Hit& hit) { number += hit.turn; });
@@ -330,7 +330,7 @@ private:
 
   /// Whether a ray through the origin has the directed line from `a` to `b` on its left, looking along the ray; points
   /// are in ray coordinates. Decided as if the ray were moved by (e, e^2) for an infinitely small e: never a tie.
-  static bool is_left(const Vector_3& a, const Vector_3& b, double product)
+  static bool is_left(const Vector3& a, const Vector3& b, double product)
   {
     return product != 0 ? product > 0 : a.y() != b.y() ? a.y() > b.y() : b.x() > a.x();
   }
@@ -341,7 +341,7 @@ private:
   Hit hit_of_face(Index face, const Ray& ray) const
   {
     const std::array<Index, 3> corner = corners(face);
-    std::array<Vector_3, 3> at;
+    std::array<Vector3, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
       at[i] = ray.to_ray_coordinates(m_surface.point(corner[i]));
     }
@@ -351,8 +351,8 @@ private:
       const std::size_t j = (i + 1) % 3;
       const std::size_t k = (i + 2) % 3;
       const bool is_ascending = corner[j] < corner[k];
-      const Vector_3& a = at[is_ascending ? j : k];
-      const Vector_3& b = at[is_ascending ? k : j];
+      const Vector3& a = at[is_ascending ? j : k];
+      const Vector3& b = at[is_ascending ? k : j];
       const double product = a.x() * b.y() - a.y() * b.x();
       left[i] = is_left(a, b, product) == is_ascending;
       weight[i] = std::abs(product);

@@ -7,7 +7,7 @@
 #define CSCD_SURFACE_SURFACE_COMPONENTS_H
 
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct Surface_components
   {
     double area = 0;                      ///< without hole-filling faces
     double volume = 0;                    ///< signed: negative where the faces look inwards
-    Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centers if the area is 0
+    Vector3 centroid = Vector3::Zero();   ///< of the area; of the faces' centers if the area is 0
     double max_squared_length = 0;        ///< of the edges
     std::size_t number_of_faces = 0;      ///< with hole-filling faces
     std::size_t number_of_long_faces = 0; ///< faces much longer than high
@@ -103,13 +103,13 @@ private:
         degenerate_faces.push_back(f);
       }
     }
-    std::vector<Vector_3> center_sum;
+    std::vector<Vector3> center_sum;
     for (Index i = 0; i < number(); ++i) {
       if (!(measures[i].area > 0) && center_sum.empty()) {
         center_sum = sums_of_centers(triangles);
       }
-      measures[i].centroid = measures[i].area > 0 ? Vector_3(measures[i].centroid / measures[i].area)
-                                                  : Vector_3(center_sum[i] / double(measures[i].number_of_faces));
+      measures[i].centroid = measures[i].area > 0 ? Vector3(measures[i].centroid / measures[i].area)
+                                                  : Vector3(center_sum[i] / double(measures[i].number_of_faces));
     }
   }
 
@@ -117,10 +117,10 @@ private:
   static bool add_face(const Indexed_triangles& triangles, Index f, bool is_hole_filling, Measure& sum)
   {
     const std::array<Index, 3>& face = triangles.faces[f];
-    const Vector_3& a = triangles.points[face[0]];
-    const Vector_3& b = triangles.points[face[1]];
-    const Vector_3& c = triangles.points[face[2]];
-    const Vector_3 vector = triangle_vector(a, b, c);
+    const Vector3& a = triangles.points[face[0]];
+    const Vector3& b = triangles.points[face[1]];
+    const Vector3& c = triangles.points[face[2]];
+    const Vector3 vector = triangle_vector(a, b, c);
     const double doubled_area = is_hole_filling ? 0. : vector.norm();
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     sum.max_squared_length = std::max(sum.max_squared_length, longest);
@@ -132,15 +132,15 @@ private:
     return !(doubled_area > degenerate_height * longest);
   }
 
-  static Vector_3 center(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+  static Vector3 center(const Vector3& a, const Vector3& b, const Vector3& c)
   {
     return (a + b + c) / 3;
   }
 
   /// Of every component.
-  std::vector<Vector_3> sums_of_centers(const Indexed_triangles& triangles) const
+  std::vector<Vector3> sums_of_centers(const Indexed_triangles& triangles) const
   {
-    std::vector<Vector_3> result(number(), Vector_3::Zero());
+    std::vector<Vector3> result(number(), Vector3::Zero());
     for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
       const auto& [a, b, c] = triangles.faces[f];
       result[component[f]] += center(triangles.points[a], triangles.points[b], triangles.points[c]);
@@ -290,7 +290,7 @@ private:
 
   Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
   Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
-  const Vector_3& origin_point(Index h) const { return m_triangles.points[origin(h)]; }
+  const Vector3& origin_point(Index h) const { return m_triangles.points[origin(h)]; }
   double squared_distance(Index vertex, Index component) const
   {
     return (m_triangles.points[vertex] - m_components.measures[component].centroid).squaredNorm();
@@ -299,7 +299,7 @@ private:
   /// The sums are rounded to single precision, so that the order of their terms does not matter.
   std::tuple<float, float, double, double, double> key(Index component) const
   {
-    const Vector_3& root = origin_point(m_first[component]);
+    const Vector3& root = origin_point(m_first[component]);
     return {-float(m_components.measures[component].area), -float(m_greatest[component]), root.x(), root.y(), root.z()};
   }
 

@@ -8,7 +8,7 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/parallel.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ private:
   };
 
   /// Vectors around a vertex, twice one after the other, so that no index has to be wrapped around.
-  using Star = std::array<Vector_3, 2 * std::size_t(max_degree)>;
+  using Star = std::array<Vector3, 2 * std::size_t(max_degree)>;
   /// Working memory of a thread, which need not be set to zero for each vertex.
   struct Scratch
   {
@@ -257,7 +257,7 @@ private:
   {
     double least = 1;
     for (Index a = side + 1; a + 1 < side + degree; ++a) {
-      const Vector_3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[a + 1] - incident_edge[side]);
+      const Vector3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[a + 1] - incident_edge[side]);
       const double product = moved.dot(face_vector[a]);
       const double norms = moved.squaredNorm() * face_vector[a].squaredNorm();
       if (product <= 0 || norms <= 0) {

@@ -7,7 +7,7 @@
 #define CSCD_SURFACE_TRIANGLES_H
 
 #include <CSCD/Options.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/internal/flat_arrays.h>
@@ -50,7 +50,7 @@ constexpr std::size_t genus_of_closed_surface(std::size_t number_of_components, 
 struct Indexed_triangles
 {
   /// The positions of the vertices.
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   /// The vertices of each face, counterclockwise seen from outside.
   std::vector<std::array<Index, 3>> faces;
   /// The faces from this one on only bridge borders: they close the surface but carry no area.
@@ -125,7 +125,7 @@ inline void sort_faces(Indexed_triangles& triangles)
 inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order)
 {
   std::vector<Index> number(order.size());
-  std::vector<Vector_3> points(order.size());
+  std::vector<Vector3> points(order.size());
   for (Index i = 0; i < order.size(); ++i) {
     number[order[i]] = i;
     points[i] = triangles.points[order[i]];
@@ -248,7 +248,7 @@ struct Checked_triangles
 /// \pre each face has three different corners, which are less than the number of points
 /// \throw Input_error naming the element, by its number in the input, if `faces` is empty, an edge has more than two
 ///        faces or faces of opposite orientation, a vertex is pinched, or a coordinate is not finite
-Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
+Checked_triangles check_triangles(std::vector<Vector3>&& points, std::vector<std::array<Index, 3>>&& faces,
                                   unsigned number_of_threads = 1);
 
 /// The same for triangles with paired halfedges.
@@ -292,11 +292,11 @@ namespace CSCD::internal {
 /// \throw Input_error if one of the others has a coordinate that is not finite
 inline void keep_used_points(Checked_triangles& checked)
 {
-  std::vector<Vector_3>& points = checked.triangles.points;
+  std::vector<Vector3>& points = checked.triangles.points;
   checked.input_number = compact_numbers(checked.triangles.faces, points.size());
   checked.number_of_isolated_vertices = points.size() - checked.input_number.size();
   for (std::size_t i = 0; i < checked.input_number.size(); ++i) {
-    points[i] = Vector_3(points[checked.input_number[i]]);
+    points[i] = Vector3(points[checked.input_number[i]]);
     if (!points[i].allFinite()) {
       throw Input_error("vertex " + std::to_string(checked.input_number[i]) +
                         " has a coordinate that is not finite: correct it or remove the vertex");
@@ -469,7 +469,7 @@ inline Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const
   return pairing;
 }
 
-inline Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
+inline Checked_triangles check_triangles(std::vector<Vector3>&& points, std::vector<std::array<Index, 3>>&& faces,
                                          unsigned number_of_threads)
 {
   if (faces.empty()) {
@@ -514,7 +514,7 @@ inline std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, H
     Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
     if (has_fan[vertex]) {
       originals.push_back(vertex);
-      triangles.points.push_back(Vector_3(triangles.points[vertex]));
+      triangles.points.push_back(Vector3(triangles.points[vertex]));
       vertex = Index(triangles.points.size() - 1);
     } else {
       has_fan[vertex] = 1;

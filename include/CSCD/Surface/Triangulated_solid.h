@@ -19,7 +19,7 @@
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Surface/double_sheets.h>
 #include <CSCD/Surface/refine_large_faces.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -143,19 +143,19 @@ public:
   /// The surface of that level.
   const Triangulated_surface& query_surface() const { return query_level().surface; }
   /// Whether the body contains `point`. Where the surface intersects itself, the inside of several sheets is inside.
-  bool is_inside(const Vector_3& point) const { return queries().is_inside(point); }
+  bool is_inside(const Vector3& point) const { return queries().is_inside(point); }
   /// The point of the surface nearest to `point`.
-  Surface_point closest_point(const Vector_3& point) const { return queries().closest_point(point); }
+  Surface_point closest_point(const Vector3& point) const { return queries().closest_point(point); }
   /// The first point where the ray from `origin` along `direction` meets the surface, if any.
-  std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  std::optional<Surface_hit> first_hit(const Vector3& origin, const Vector3& direction) const
   {
     return queries().first_hit(origin, direction);
   }
   /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
-  std::optional<Vector_3> middle_behind(const Vector_3& point) const { return queries().middle_behind(point); }
+  std::optional<Vector3> middle_behind(const Vector3& point) const { return queries().middle_behind(point); }
   /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
   /// the body.
-  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  void crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const
   {
     queries().crossings(from, to, distances);
   }
@@ -186,7 +186,7 @@ private:
     return *m_queries;
   }
   /// Of the face nearest to `place`, the vertex that is nearest.
-  Index nearest_vertex(const Vector_3& place) const;
+  Index nearest_vertex(const Vector3& place) const;
 
   std::unique_ptr<const Surface_levels> m_levels;
   std::vector<Index> m_input_vertex;
@@ -296,7 +296,7 @@ inline void Triangulated_solid::warn(Skeletonization_report& report) const
                      "components that faced inwards: turned");
 }
 
-inline Index Triangulated_solid::nearest_vertex(const Vector_3& place) const
+inline Index Triangulated_solid::nearest_vertex(const Vector3& place) const
 {
   const Surface_level& level = query_level();
   const auto sides = Triangulated_surface::face_halfedges(closest_point(place).face);

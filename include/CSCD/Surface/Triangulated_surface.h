@@ -7,7 +7,7 @@
 #define CSCD_SURFACE_TRIANGULATED_SURFACE_H
 
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -77,7 +77,7 @@ struct Face_point
 struct Surface_point
 {
   /// Its place.
-  Vector_3 point = Vector_3::Zero();
+  Vector3 point = Vector3::Zero();
   /// The face that it is on.
   Index face = no_index;
 };
@@ -88,7 +88,7 @@ struct Surface_hit
   /// The face that it is on.
   Index face = no_index;
   /// Its place.
-  Vector_3 point = Vector_3::Zero();
+  Vector3 point = Vector3::Zero();
   double distance = 0; ///< from the origin of the ray
 };
 
@@ -170,9 +170,9 @@ public:
   /// @{
 
   /// All positions.
-  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Vector3>& points() const { return m_points; }
   /// The position of `vertex`.
-  const Vector_3& point(Index vertex) const { return m_points[vertex]; }
+  const Vector3& point(Index vertex) const { return m_points[vertex]; }
   /// The length of `halfedge`.
   double length(Index halfedge) const { return (point(target(halfedge)) - point(origin(halfedge))).norm(); }
 
@@ -181,13 +181,13 @@ public:
   /// A third of the area of the incident faces.
   float vertex_area(Index vertex) const { return m_vertex_area[vertex]; }
   /// Area-weighted mean of the normals of the incident faces, of unit length.
-  Vector_3 vertex_normal(Index vertex) const
+  Vector3 vertex_normal(Index vertex) const
   {
     const auto& [x, y, z] = m_vertex_normal[vertex];
     return {x, y, z};
   }
   /// Twice the area times the normal of the face, bridging or not.
-  Vector_3 face_vector(Index face) const
+  Vector3 face_vector(Index face) const
   {
     return internal::triangle_vector(point(origin(3 * face)), point(origin(3 * face + 1)), point(origin(3 * face + 2)));
   }
@@ -223,7 +223,7 @@ private:
     m_vertex_area.assign(m_points.size(), 0.f);
     m_vertex_normal.assign(m_points.size(), {0.f, 0.f, 0.f});
     for (Index f = 0; f < number_of_faces(); ++f) {
-      const Vector_3 vector = face_vector(f);
+      const Vector3 vector = face_vector(f);
       const double area = is_hole_filling(f) ? 0. : vector.norm() / 2;
       m_face_area[f] = float(area);
       m_total_area += area;
@@ -244,7 +244,7 @@ private:
     }
   }
 
-  std::vector<Vector_3> m_points;
+  std::vector<Vector3> m_points;
   std::vector<Index> m_origin;
   std::vector<Index> m_twin;
   internal::Compressed_rows<Index> m_outgoing; // of every vertex
@@ -320,11 +320,11 @@ public:
 private:
   void append_fan(const Triangulated_surface& surface, Index vertex, double& length_sum)
   {
-    const Vector_3& center = surface.point(vertex);
+    const Vector3& center = surface.point(vertex);
     for (Index halfedge : surface.outgoing(vertex)) {
       const Index neighbor = surface.target(halfedge);
-      const Vector_3 incident_edge = surface.point(neighbor) - center;
-      const Vector_3 next_incident_edge = surface.point(surface.opposite_vertex(halfedge)) - center;
+      const Vector3 incident_edge = surface.point(neighbor) - center;
+      const Vector3 next_incident_edge = surface.point(surface.opposite_vertex(halfedge)) - center;
       const double length = incident_edge.norm();
       const double product = length * next_incident_edge.norm();
       // A incident edge of no length spans no angle.

@@ -10,7 +10,7 @@
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/unordered_set.hpp>
 
@@ -189,7 +189,7 @@ private:
   void close_by_fan(const Open_polygon& polygon, Index first)
   {
     const Index center = Index(m_triangles.points.size());
-    Vector_3 sum = Vector_3::Zero();
+    Vector3 sum = Vector3::Zero();
     Index corner = first;
     do {
       sum += m_triangles.points[polygon.vertex[corner]];
@@ -275,7 +275,7 @@ private:
       const std::size_t stride = m_components.measures[c].number_of_faces / max_samples + 1;
       if (m_is_cavity[c] != 0 && number_of_visits[c]++ % stride == 0) {
         const auto& [i, j, k] = m_triangles.faces[face];
-        const Vector_3& corner = m_triangles.points[i];
+        const Vector3& corner = m_triangles.points[i];
         const double area = triangle_area(corner, m_triangles.points[j], m_triangles.points[k]);
         excess[c] += (queries.is_inside(corner) ? 0 : area) - (1 - min_area_within) * area;
       }
@@ -300,8 +300,8 @@ private:
     for (std::size_t face = 0; face < m_triangles.faces.size(); ++face) {
       const Index body = m_components.component[face];
       if (std::exchange(is_visited[body], 1) == 0) {
-        const Vector_3& point = m_triangles.points[m_triangles.faces[face][0]];
-        const auto hit = queries.is_inside(point) ? queries.first_hit(point, Vector_3::UnitX()) : std::nullopt;
+        const Vector3& point = m_triangles.points[m_triangles.faces[face][0]];
+        const auto hit = queries.is_inside(point) ? queries.first_hit(point, Vector3::UnitX()) : std::nullopt;
         if (hit && m_components.measures[body].volume < -m_components.measures[component[hit->face]].volume) {
           m_is_cavity[component[hit->face]] = 0;
         }
@@ -320,7 +320,7 @@ struct Filled_cavities
   std::size_t number = 0;
   std::vector<Index> old_number; ///< of every remaining point; empty without a cavity
   std::vector<Index> vertices;   ///< the points of the input that were taken out, by their old numbers,
-  std::vector<Vector_3> places;  ///< and where they are
+  std::vector<Vector3> places;   ///< and where they are
 };
 
 /// Takes the surfaces of cavities, as in a hollowed statue, out of `triangles`.

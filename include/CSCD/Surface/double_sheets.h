@@ -8,7 +8,7 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/close_surface.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -125,7 +125,7 @@ private:
 
   Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
   Index target(Index h) const { return origin(Halfedge_pairing::next(h)); }
-  const Vector_3& point(Index vertex) const { return m_triangles.points[vertex]; }
+  const Vector3& point(Index vertex) const { return m_triangles.points[vertex]; }
   double length(Index h) const { return (point(target(h)) - point(origin(h))).norm(); }
 
   void collect_borders()
@@ -239,7 +239,7 @@ private:
 
   /// The direction from `vertex` back along the last quarter of the path of the front that came there; on a border, the
   /// direction from its `neighbor`. The direction of the first edge of the path alone scatters too much.
-  Vector_3 way_back(Index vertex, Index neighbor) const
+  Vector3 way_back(Index vertex, Index neighbor) const
   {
     if (m_before[vertex] == no_index) {
       return (point(vertex) - point(neighbor)).normalized();
@@ -361,10 +361,10 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
     return result;
   }
   result.side.assign(triangles.points.size(), 2);
-  std::vector<Vector_3> normal(n, Vector_3::Zero());
+  std::vector<Vector3> normal(n, Vector3::Zero());
   for (std::size_t f = 0; f < number_of_faces; ++f) {
     const auto [a, b, c] = triangles.faces[f];
-    const Vector_3 vector = triangle_vector(triangles.points[a], triangles.points[b], triangles.points[c]);
+    const Vector3 vector = triangle_vector(triangles.points[a], triangles.points[b], triangles.points[c]);
     for (const Index corner : {a, b, c}) {
       normal[corner] += vector;
     }
@@ -375,9 +375,9 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   for (Index vertex = 0; vertex < n; ++vertex) {
     result.side[vertex] = copy[vertex] == no_index ? 0 : 1;
     if (copy[vertex] != no_index && normal[vertex].norm() > 0) {
-      const Vector_3 direction = sum_precision * normal[vertex].normalized();
-      const Vector_3 rounded(std::round(direction.x()), std::round(direction.y()), std::round(direction.z()));
-      const Vector_3 offset = relative_offset * search.width(vertex) / sum_precision * rounded;
+      const Vector3 direction = sum_precision * normal[vertex].normalized();
+      const Vector3 rounded(std::round(direction.x()), std::round(direction.y()), std::round(direction.z()));
+      const Vector3 offset = relative_offset * search.width(vertex) / sum_precision * rounded;
       triangles.points[vertex] += offset;
       triangles.points[copy[vertex]] -= offset_of_second_side * offset;
     }

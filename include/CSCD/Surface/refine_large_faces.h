@@ -8,7 +8,7 @@
 
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -38,9 +38,9 @@ inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, 
   std::vector<double> curvature(triangles.points.size(), boost::math::double_constants::two_pi);
   for (const std::array<Index, 3>& face : triangles.faces) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector_3& a = triangles.points[face[i]];
-      const Vector_3 ab = triangles.points[face[(i + 1) % 3]] - a;
-      const Vector_3 ac = triangles.points[face[(i + 2) % 3]] - a;
+      const Vector3& a = triangles.points[face[i]];
+      const Vector3 ab = triangles.points[face[(i + 1) % 3]] - a;
+      const Vector3 ac = triangles.points[face[(i + 2) % 3]] - a;
       curvature[face[i]] -= std::atan2(ab.cross(ac).norm(), ab.dot(ac));
     }
   }
@@ -61,16 +61,16 @@ inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, 
 }
 
 /// The normal of the common plane of the faces `a` `b` `c` and `b` `a` `d`, up to the rounding of files.
-inline std::optional<Vector_3> common_normal(const Vector_3& a, const Vector_3& b, const Vector_3& c, const Vector_3& d)
+inline std::optional<Vector3> common_normal(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
   constexpr double flatness = 1e-5; // relative to the longest side
-  const Vector_3 of_c = (b - a).cross(c - a);
-  const Vector_3 of_d = (a - b).cross(d - b);
+  const Vector3 of_c = (b - a).cross(c - a);
+  const Vector3 of_d = (a - b).cross(d - b);
   const bool is_c_larger = of_c.squaredNorm() > of_d.squaredNorm();
-  const Vector_3 normal = (is_c_larger ? of_c : of_d).normalized();
-  const Vector_3& other = is_c_larger ? d : c;
+  const Vector3 normal = (is_c_larger ? of_c : of_d).normalized();
+  const Vector3& other = is_c_larger ? d : c;
   const double longest = std::max({(b - a).norm(), (other - a).norm(), (other - b).norm()});
-  return std::abs(normal.dot(other - a)) <= flatness * longest ? std::optional<Vector_3>(normal) : std::nullopt;
+  return std::abs(normal.dot(other - a)) <= flatness * longest ? std::optional<Vector3>(normal) : std::nullopt;
 }
 
 /// How many faces of each component are coplanar with an adjacent one. Linear.
@@ -78,7 +78,7 @@ inline std::vector<std::size_t> numbers_of_flat_faces(const Indexed_triangles& t
                                                       const Halfedge_pairing& pairing,
                                                       const Surface_components& components)
 {
-  const auto point = [&](Index h) -> const Vector_3& { return triangles.points[triangles.faces[h / 3][h % 3]]; };
+  const auto point = [&](Index h) -> const Vector3& { return triangles.points[triangles.faces[h / 3][h % 3]]; };
   const auto is_flat = [&](Index h) {
     const Index twin = pairing.twin(h);
     return common_normal(point(h), point(twin), point(Halfedge_pairing::previous(h)),
@@ -155,12 +155,12 @@ private:
   Index& origin(Index h) { return m_triangles.faces[h / 3][h % 3]; }
   Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
   Index target(Index h) const { return origin(next(h)); }
-  const Vector_3& point(Index h) const { return m_triangles.points[origin(h)]; }
+  const Vector3& point(Index h) const { return m_triangles.points[origin(h)]; }
 
-  Vector_3 midpoint(Index h) const { return (point(h) + point(next(h))) / 2; }
+  Vector3 midpoint(Index h) const { return (point(h) + point(next(h))) / 2; }
   Key key(Index h) const
   {
-    const Vector_3 middle = midpoint(h);
+    const Vector3 middle = midpoint(h);
     return {(point(h) - point(next(h))).squaredNorm(), middle.x(), middle.y(), middle.z()};
   }
   void push_if_long(Index h)
@@ -225,17 +225,17 @@ private:
   bool is_to_be_flipped(Index h) const
   {
     const Index t = m_twin[h];
-    const Vector_3& a = point(h);
-    const Vector_3& b = point(t);
-    const Vector_3& c = point(previous(h));
-    const Vector_3& d = point(previous(t));
-    const Vector_3 of_h = (b - a).cross(c - a);
-    const Vector_3 of_t = (a - b).cross(d - b);
+    const Vector3& a = point(h);
+    const Vector3& b = point(t);
+    const Vector3& c = point(previous(h));
+    const Vector3& d = point(previous(t));
+    const Vector3 of_h = (b - a).cross(c - a);
+    const Vector3 of_t = (a - b).cross(d - b);
     const double sine = of_h.norm() * (a - d).dot(b - d) + of_t.norm() * (a - c).dot(b - c);
     if (!(sine < -min_sine * (a - c).norm() * (b - c).norm() * (a - d).norm() * (b - d).norm())) {
       return false;
     }
-    const std::optional<Vector_3> normal = common_normal(a, b, c, d);
+    const std::optional<Vector3> normal = common_normal(a, b, c, d);
     return normal && (c - d).cross(a - d).dot(*normal) > 0 && (d - c).cross(b - c).dot(*normal) > 0 &&
            !has_edge(previous(h), previous(t));
   }
@@ -319,7 +319,7 @@ inline std::vector<double> bounds_for_limbs(const Indexed_triangles& triangles, 
     const Index component = components.component[f];
     const std::array<Index, 3>& face = triangles.faces[f];
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector_3 side = triangles.points[face[(i + 1) % 3]] - triangles.points[face[i]];
+      const Vector3 side = triangles.points[face[(i + 1) % 3]] - triangles.points[face[i]];
       number_of_long_sides[component] += side.squaredNorm() > squared_bound[component] ? 1 : 0;
     }
   }

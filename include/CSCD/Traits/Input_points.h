@@ -8,7 +8,7 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -165,7 +165,7 @@ struct No_normals
 
 /// The coordinates of a point or vector of any type.
 template <class Triple>
-Vector_3 to_vector_3(const Triple& triple)
+Vector3 to_vector_3(const Triple& triple)
 {
   return {CGAL::to_double(triple.x()), CGAL::to_double(triple.y()), CGAL::to_double(triple.z())};
 }
@@ -179,8 +179,8 @@ template <class PointRange, class PointMap, class NormalMap>
 Point_cloud collect_any_points(const PointRange& range, const PointMap& point_map,
                                [[maybe_unused]] const NormalMap& normal_map)
 {
-  std::vector<Vector_3> points;
-  std::vector<Vector_3> normals;
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals;
   for (const auto& element : range) {
     points.push_back(to_vector_3(get(point_map, element)));
     if (!points.back().allFinite()) {
@@ -188,8 +188,8 @@ Point_cloud collect_any_points(const PointRange& range, const PointMap& point_ma
                         " has a coordinate that is not finite: correct it or remove the point");
     }
     if constexpr (!std::is_same_v<NormalMap, No_normals>) {
-      const Vector_3 normal = to_vector_3(get(normal_map, element));
-      normals.push_back(normal.allFinite() ? Vector_3(normal.stableNormalized()) : Vector_3(Vector_3::Zero()));
+      const Vector3 normal = to_vector_3(get(normal_map, element));
+      normals.push_back(normal.allFinite() ? Vector3(normal.stableNormalized()) : Vector3(Vector3::Zero()));
     }
   }
   return make_point_cloud(std::move(points), std::move(normals));

@@ -12,7 +12,7 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -89,7 +89,7 @@ public:
   /// The points of the input that belong to `vertex`.
   CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_points[vertex]; }
   /// A point of the surface in the coordinates of the input.
-  Point to_input_point(const Vector_3& point) const { return CSCD::to_input_point<Point>(m_normalization, point); }
+  Point to_input_point(const Vector3& point) const { return CSCD::to_input_point<Point>(m_normalization, point); }
   /// A length on the surface in the unit of the input.
   double to_input_length(double length) const { return length * m_normalization.unit; }
   /// Describes the input in `report`, without a genus: the triangles need not be a surface.

@@ -10,7 +10,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 #include <CSCD/internal/flat_arrays.h>
@@ -66,7 +66,7 @@ public:
   {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Input_descriptor> descriptors;
-    std::vector<Vector_3> points;
+    std::vector<Vector3> points;
     std::vector<double> radii;
     boost::unordered_map<Input_descriptor, Index> number;
     for (const Input_descriptor vertex : boost::make_iterator_range(vertices(graph))) {
@@ -112,7 +112,7 @@ public:
   /// The vertices of the input that are at `vertex`.
   CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_descriptors[vertex]; }
   /// A point of the graph in the coordinates of the input.
-  Point to_input_point(const Vector_3& point) const
+  Point to_input_point(const Vector3& point) const
   {
     return CSCD::to_input_point<Point>(m_graph->normalization(), point);
   }
@@ -135,7 +135,7 @@ public:
 private:
   template <class Edge>
   static double length([[maybe_unused]] const Graph& graph, [[maybe_unused]] const Edge& edge,
-                       [[maybe_unused]] const Vector_3& a, [[maybe_unused]] const Vector_3& b)
+                       [[maybe_unused]] const Vector3& a, [[maybe_unused]] const Vector3& b)
   {
     if constexpr (CSCD_GIVES(double, const Graph&, t[*edges(t).first].weight)) {
       return double(graph[edge].weight);

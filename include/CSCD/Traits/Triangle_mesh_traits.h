@@ -11,7 +11,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/read_mesh.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -97,7 +97,7 @@ public:
   /// are nearest to it.
   CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_rows[vertex]; }
   /// A point of the surface in the coordinates of the input.
-  Point to_input_point(const Vector_3& point) const
+  Point to_input_point(const Vector3& point) const
   {
     return CSCD::to_input_point<Point>(surface().normalization(), point);
   }

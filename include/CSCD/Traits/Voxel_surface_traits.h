@@ -11,7 +11,7 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/Volume/Voxel_surface.h>
 
 #include <CGAL/Iterator_range.h>
@@ -59,7 +59,7 @@ public:
   /// The number of the vertex of the input that `vertex` is, or none for an inserted vertex.
   CGAL::Iterator_range<const Index*> descriptors(Index vertex) const { return m_mesh.input_vertices(vertex); }
   /// A point of the surface in the coordinates of the volume.
-  Point to_input_point(const Vector_3& point) const
+  Point to_input_point(const Vector3& point) const
   {
     return CSCD::to_input_point<Point>(surface().normalization(), point);
   }

@@ -7,7 +7,7 @@
 #define CSCD_TRAITS_READ_MESH_H
 
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -43,7 +43,7 @@ inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
 template <class VertexDescriptor>
 struct Mesh_arrays
 {
-  std::vector<Vector_3> points;
+  std::vector<Vector3> points;
   std::vector<std::array<Index, 3>> faces;
   std::vector<VertexDescriptor> descriptors; ///< of the points
 };

@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <cstddef>
 #include <limits>
@@ -23,8 +23,8 @@ namespace CSCD {
 /// skeleton, indices are counted from 0.
 struct Tree_cylinder
 {
-  Vector_3 start;                         ///< the end nearer to the root, on the axis
-  Vector_3 axis;                          ///< away from the root, unit length
+  Vector3 start;                          ///< the end nearer to the root, on the axis
+  Vector3 axis;                           ///< away from the root, unit length
   double length = 0;                      ///< along the axis
   double radius = 0;                      ///< mean of both nodes
   std::optional<std::size_t> parent{};    ///< the cylinder before it; none for the first of a trunk

@@ -13,7 +13,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -29,14 +29,14 @@ namespace internal {
 
 /// Skeletonizes a scan of trees; see `CSCD::extract_tree_skeleton()`.
 /// \param skeleton is replaced; its nodes hold the numbers of the points
-Tree_report skeletonize_trees(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root,
+Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::optional<Vector3>& root,
                               Skeleton& skeleton);
 
 /// The coordinates of the points of a range, in order.
 template <class PointRange, class PointMap>
-std::vector<Vector_3> coordinates_of(const PointRange& points, const PointMap& point_map)
+std::vector<Vector3> coordinates_of(const PointRange& points, const PointMap& point_map)
 {
-  std::vector<Vector_3> result;
+  std::vector<Vector3> result;
   result.reserve(std::size_t(std::distance(points.begin(), points.end())));
   for (const auto& element : points) {
     result.push_back(to_vector_3(get(point_map, element)));
@@ -69,7 +69,7 @@ bool is_scan_of_trees(const PointRange& points, const NamedParameters& np = para
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t>();
   constexpr std::size_t min_number_of_points = 20000;
-  const std::vector<Vector_3> coordinates = internal::coordinates_of(points, internal::point_map(points, np));
+  const std::vector<Vector3> coordinates = internal::coordinates_of(points, internal::point_map(points, np));
   const Point_cloud cloud = make_point_cloud(internal::sample_of(coordinates), {});
   return cloud.points.size() >= min_number_of_points && internal::is_scan_of_trees(internal::forms_of(cloud.points));
 }
@@ -117,7 +117,7 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
   static_assert(is_point_range_v<PointRange>, "CSCD: extract_tree_skeleton requires a range of points");
   check_curve_skeleton_graph<Skeleton>();
   const auto point_map = internal::point_map(points, np);
-  std::optional<Vector_3> root;
+  std::optional<Vector3> root;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::root_t>::value) {
     root = internal::to_vector_3(parameters::get_parameter(np, internal_np::root));
   }

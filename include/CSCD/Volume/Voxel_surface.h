@@ -14,7 +14,7 @@
 
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -39,16 +39,16 @@ struct Volume_grid
   /// The numbers of voxels along the three axes. The first axis runs fastest in memory.
   std::array<std::size_t, 3> size{};
   /// The center of the first voxel.
-  Vector_3 origin;
+  Vector3 origin;
   /// From a voxel to the next along each axis: the direction times the spacing.
-  std::array<Vector_3, 3> axes{Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1)};
+  std::array<Vector3, 3> axes{Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)};
 
   /// The number of voxels in a slice, which has a fixed index along the last axis.
   std::size_t slice_size() const { return size[0] * size[1]; }
   /// The number of voxels.
   std::size_t number_of_voxels() const { return slice_size() * size[2]; }
   /// The point in space that has these indices, between voxels too.
-  Vector_3 point(const Vector_3& index) const
+  Vector3 point(const Vector3& index) const
   {
     return origin + index.x() * axes[0] + index.y() * axes[1] + index.z() * axes[2];
   }
@@ -207,17 +207,17 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
   constexpr double shrinking = 0.5;   // the factors of Taubin, for a pass band of 0.1
   constexpr double growing = 1 / (0.1 - 1 / shrinking);
   constexpr double max_displacement = 0.45; // voxels: neighbors in a row never change places
-  std::vector<Vector_3>& points = triangles.points;
-  const std::vector<Vector_3> places = points;
+  std::vector<Vector3>& points = triangles.points;
+  const std::vector<Vector3> places = points;
   std::vector<Index> degree(points.size(), 0);
   for (const std::array<Index, 3>& face : triangles.faces) {
     for (const Index vertex : face) {
       ++degree[vertex];
     }
   }
-  std::vector<Vector_3> sums(points.size());
+  std::vector<Vector3> sums(points.size());
   for (int step = 0; step < 2 * number_of_steps; ++step) {
-    std::fill(sums.begin(), sums.end(), Vector_3::Zero());
+    std::fill(sums.begin(), sums.end(), Vector3::Zero());
     for (const std::array<Index, 3>& face : triangles.faces) {
       for (std::size_t i = 0; i < 3; ++i) {
         sums[face[i]] += points[face[(i + 1) % 3]]; // once for each neighbor, as the surface is closed
@@ -225,9 +225,9 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
     }
     const double factor = step % 2 == 0 ? shrinking : growing;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector_3 moved = points[i] + factor * (sums[i] / double(degree[i]) - points[i]);
-      points[i] = moved.cwiseMax(places[i] - Vector_3::Constant(max_displacement))
-                      .cwiseMin(places[i] + Vector_3::Constant(max_displacement));
+      const Vector3 moved = points[i] + factor * (sums[i] / double(degree[i]) - points[i]);
+      points[i] = moved.cwiseMax(places[i] - Vector3::Constant(max_displacement))
+                      .cwiseMin(places[i] + Vector3::Constant(max_displacement));
     }
   }
 }
@@ -423,10 +423,10 @@ private:
         octants |= (bodies[other] == body ? 1U : 0U) << other;
       }
       Shape& shape = m_shapes[body - 1];
-      std::vector<Vector_3>& points = shape.triangles.points;
+      std::vector<Vector3>& points = shape.triangles.points;
       m_upper_corners.corners.push_back({body, std::uint8_t(octants), Index(points.size())});
       const internal::Corner_sheets& sheets = m_sheets[octants];
-      const Vector_3 place{double(x), double(y), double(m_number_of_slices)};
+      const Vector3 place{double(x), double(y), double(m_number_of_slices)};
       if (!sheets.has_tube) {
         for (unsigned i = 0; i < sheets.number_of_vertices; ++i) {
           points.push_back(place);
@@ -566,9 +566,9 @@ private:
       m_open_middles.erase(found);
       return middle;
     }
-    Vector_3 point{double(place[0]), double(place[1]), double(place[2])};
+    Vector3 point{double(place[0]), double(place[1]), double(place[2])};
     point[axis] += 0.5;
-    std::vector<Vector_3>& points = m_shapes[body - 1].triangles.points;
+    std::vector<Vector3>& points = m_shapes[body - 1].triangles.points;
     points.push_back(point);
     const auto middle = Index(points.size() - 1);
     m_open_middles.emplace(key, middle);
@@ -589,7 +589,7 @@ private:
       faces.push_back({m_polygon[0], m_polygon[2], m_polygon[3]});
       return;
     }
-    Vector_3 center{double(lower_corner[0]) + 0.5, double(lower_corner[1]) + 0.5, double(lower_corner[2]) + 0.5};
+    Vector3 center{double(lower_corner[0]) + 0.5, double(lower_corner[1]) + 0.5, double(lower_corner[2]) + 0.5};
     center[axis] -= 0.5;
     shape.triangles.points.push_back(center);
     const Index center_vertex = Index(shape.triangles.points.size() - 1);
@@ -616,8 +616,8 @@ private:
       result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     }
     internal::smooth_voxel_surface(triangles);
-    for (Vector_3& point : triangles.points) {
-      point = m_grid.point(point - Vector_3::Constant(0.5));
+    for (Vector3& point : triangles.points) {
+      point = m_grid.point(point - Vector3::Constant(0.5));
     }
     if (m_grid.signed_voxel_volume() < 0) {
       for (std::array<Index, 3>& face : triangles.faces) {

@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_BOX_TREE_H
 #define CSCD_INTERNAL_BOX_TREE_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ namespace CSCD::internal {
 class Bounding_box
 {
 public:
-  void extend(const Vector_3& point)
+  void extend(const Vector3& point)
   {
     m_min = m_min.cwiseMin(point);
     m_max = m_max.cwiseMax(point);
@@ -34,21 +34,21 @@ public:
   }
 
   bool is_empty() const { return m_min.x() > m_max.x(); }
-  const Vector_3& min() const { return m_min; }
-  const Vector_3& max() const { return m_max; }
+  const Vector3& min() const { return m_min; }
+  const Vector3& max() const { return m_max; }
   double diagonal() const { return (m_max - m_min).norm(); }
-  double squared_distance(const Vector_3& point) const
+  double squared_distance(const Vector3& point) const
   {
-    return (m_min - point).cwiseMax(point - m_max).cwiseMax(Vector_3::Zero()).squaredNorm();
+    return (m_min - point).cwiseMax(point - m_max).cwiseMax(Vector3::Zero()).squaredNorm();
   }
   double distance(const Bounding_box& other) const
   {
-    return (m_min - other.m_max).cwiseMax(other.m_min - m_max).cwiseMax(Vector_3::Zero()).norm();
+    return (m_min - other.m_max).cwiseMax(other.m_min - m_max).cwiseMax(Vector3::Zero()).norm();
   }
 
 private:
-  Vector_3 m_min = Vector_3::Constant(std::numeric_limits<double>::infinity());
-  Vector_3 m_max = Vector_3::Constant(-std::numeric_limits<double>::infinity());
+  Vector3 m_min = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 m_max = Vector3::Constant(-std::numeric_limits<double>::infinity());
 };
 
 /// A balanced binary tree of boxes over objects, which are known by number. The hierarchies of CGAL and Eigen do the
@@ -128,7 +128,7 @@ public:
 private:
   struct Entry
   {
-    Vector_3 center;
+    Vector3 center;
     Index object;
   };
 
@@ -144,7 +144,7 @@ private:
     for (Index i = begin; i < end; ++i) {
       box.extend(entries[i].center);
     }
-    const Vector_3 sides = box.max() - box.min();
+    const Vector3 sides = box.max() - box.min();
     return int(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_DIJKSTRA_SEARCH_H
 #define CSCD_INTERNAL_DIJKSTRA_SEARCH_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <boost/core/noinit_adaptor.hpp>

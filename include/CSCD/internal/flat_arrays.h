@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_FLAT_ARRAYS_H
 #define CSCD_INTERNAL_FLAT_ARRAYS_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <CGAL/Iterator_range.h>
 

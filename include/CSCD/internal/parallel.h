@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_PARALLEL_H
 #define CSCD_INTERNAL_PARALLEL_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_PRINCIPAL_AXES_H
 #define CSCD_INTERNAL_PRINCIPAL_AXES_H
 
-#include <CSCD/Vector_3.h>
+#include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <array>
@@ -22,13 +22,13 @@ namespace CSCD::internal {
 /// A symmetric matrix, as its columns.
 struct Moment_matrix
 {
-  std::array<Vector_3, 3> columns;
+  std::array<Vector3, 3> columns;
 
   /// The matrix a b<sup>T</sup>, for parallel vectors: of it the lower half, and its mirror image.
-  static Moment_matrix product(const Vector_3& a, const Vector_3& b)
+  static Moment_matrix product(const Vector3& a, const Vector3& b)
   {
-    return {{a * b.x(), Vector_3(a.y() * b.x(), a.y() * b.y(), a.z() * b.y()),
-             Vector_3(a.z() * b.x(), a.z() * b.y(), a.z() * b.z())}};
+    return {{a * b.x(), Vector3(a.y() * b.x(), a.y() * b.y(), a.z() * b.y()),
+             Vector3(a.z() * b.x(), a.z() * b.y(), a.z() * b.z())}};
   }
 
   Moment_matrix& operator+=(const Moment_matrix& other)
@@ -49,7 +49,7 @@ struct Moment_matrix
   /// The matrix less `value` times the identity.
   Moment_matrix shifted(double value) const
   {
-    return *this - Moment_matrix{{Vector_3(value, 0, 0), Vector_3(0, value, 0), Vector_3(0, 0, value)}};
+    return *this - Moment_matrix{{Vector3(value, 0, 0), Vector3(0, value, 0), Vector3(0, 0, value)}};
   }
 };
 
@@ -57,7 +57,7 @@ struct Moment_matrix
 struct Principal_axes
 {
   std::array<double, 3> values;
-  std::array<Vector_3, 3> vectors;
+  std::array<Vector3, 3> vectors;
 };
 
 /// The roots of the characteristic polynomial of `m`, ascending, by the trigonometric formula.
@@ -82,13 +82,13 @@ inline std::array<double, 3> eigenvalues(const Moment_matrix& m)
 }
 
 /// The kernel of a symmetric matrix of rank 2, of unit length, and a vector perpendicular to it.
-inline std::pair<Vector_3, Vector_3> kernel(const Moment_matrix& m)
+inline std::pair<Vector3, Vector3> kernel(const Moment_matrix& m)
 {
   const std::array<double, 3> diagonal{std::abs(m.columns[0].x()), std::abs(m.columns[1].y()),
                                        std::abs(m.columns[2].z())};
   const auto i = std::size_t(std::max_element(diagonal.begin(), diagonal.end()) - diagonal.begin());
-  const Vector_3 a = m.columns[i].cross(m.columns[(i + 1) % 3]);
-  const Vector_3 b = m.columns[i].cross(m.columns[(i + 2) % 3]);
+  const Vector3 a = m.columns[i].cross(m.columns[(i + 1) % 3]);
+  const Vector3 b = m.columns[i].cross(m.columns[(i + 2) % 3]);
   return {a.squaredNorm() > b.squaredNorm() ? a / a.norm() : b / b.norm(), m.columns[i]};
 }
 
@@ -101,13 +101,13 @@ inline Principal_axes principal_axes(const Moment_matrix& matrix)
   const double mean = (matrix.columns[0].x() + (matrix.columns[1].y() + matrix.columns[2].z())) / 3;
   Moment_matrix scaled = matrix.shifted(mean);
   double scale = 0;
-  for (const Vector_3& column : scaled.columns) {
+  for (const Vector3& column : scaled.columns) {
     scale = std::max(scale, column.cwiseAbs().maxCoeff());
   }
   if (scale > 0) {
     scaled = scaled / scale;
   }
-  Principal_axes result{eigenvalues(scaled), {Vector_3::UnitX(), Vector_3::UnitY(), Vector_3::UnitZ()}};
+  Principal_axes result{eigenvalues(scaled), {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()}};
   auto& [values, vectors] = result;
   if (values[2] - values[0] > epsilon) {
     // First the vector of the value that is farthest from both others, `distinct`, then of the other extreme one.
@@ -132,11 +132,11 @@ inline Principal_axes principal_axes(const Moment_matrix& matrix)
 
 /// The covariance of `offsets`, and their principal axes.
 /// \pre there are offsets
-inline Principal_axes axes_of(const std::vector<Vector_3>& offsets)
+inline Principal_axes axes_of(const std::vector<Vector3>& offsets)
 {
-  Vector_3 mean = Vector_3::Zero();
+  Vector3 mean = Vector3::Zero();
   Moment_matrix moments{};
-  for (const Vector_3& offset : offsets) {
+  for (const Vector3& offset : offsets) {
     mean += offset / double(offsets.size());
     moments += Moment_matrix::product(offset, offset) / double(offsets.size());
   }

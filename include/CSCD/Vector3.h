@@ -3,8 +3,8 @@
 //
 // The vector type and the index type of the flat arrays.
 
-#ifndef CSCD_VECTOR_3_H
-#define CSCD_VECTOR_3_H
+#ifndef CSCD_VECTOR3_H
+#define CSCD_VECTOR3_H
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace CSCD {
 // NOLINTBEGIN(readability-identifier-naming): the names of Eigen, see below
 /// Points and vectors of the normalized surface. Members are named as those of `Eigen::Vector3d`, whose expression
 /// templates would be a third of the functions that are compiled for a file that calls the library.
-class Vector_3
+class Vector3
 {
 public:
   /// Iterates over the coordinates.
@@ -27,20 +27,20 @@ public:
   using const_iterator = const double*;
 
   /// The zero vector.
-  constexpr Vector_3() = default;
+  constexpr Vector3() = default;
   /// The vector of these coordinates.
-  constexpr Vector_3(double x, double y, double z) : m_coordinates{x, y, z} {}
+  constexpr Vector3(double x, double y, double z) : m_coordinates{x, y, z} {}
 
   /// The vector whose coordinates are all `value`.
-  static constexpr Vector_3 Constant(double value) { return {value, value, value}; }
+  static constexpr Vector3 Constant(double value) { return {value, value, value}; }
   /// The zero vector.
-  static constexpr Vector_3 Zero() { return {}; }
+  static constexpr Vector3 Zero() { return {}; }
   /// The direction of the x axis.
-  static constexpr Vector_3 UnitX() { return {1, 0, 0}; }
+  static constexpr Vector3 UnitX() { return {1, 0, 0}; }
   /// The direction of the y axis.
-  static constexpr Vector_3 UnitY() { return {0, 1, 0}; }
+  static constexpr Vector3 UnitY() { return {0, 1, 0}; }
   /// The direction of the z axis.
-  static constexpr Vector_3 UnitZ() { return {0, 0, 1}; }
+  static constexpr Vector3 UnitZ() { return {0, 0, 1}; }
 
   /// The x coordinate.
   constexpr double x() const { return m_coordinates[0]; }
@@ -76,50 +76,50 @@ public:
   constexpr double* end() { return m_coordinates + 3; }
 
   /// Adds `v`.
-  constexpr Vector_3& operator+=(const Vector_3& v) { return *this = *this + v; }
+  constexpr Vector3& operator+=(const Vector3& v) { return *this = *this + v; }
   /// Subtracts `v`.
-  constexpr Vector_3& operator-=(const Vector_3& v) { return *this = *this - v; }
+  constexpr Vector3& operator-=(const Vector3& v) { return *this = *this - v; }
   /// Multiplies by `factor`.
-  constexpr Vector_3& operator*=(double factor) { return *this = *this * factor; }
+  constexpr Vector3& operator*=(double factor) { return *this = *this * factor; }
   /// Divides by `divisor`.
-  constexpr Vector_3& operator/=(double divisor) { return *this = *this / divisor; }
+  constexpr Vector3& operator/=(double divisor) { return *this = *this / divisor; }
 
   /// The opposite vector.
-  friend constexpr Vector_3 operator-(const Vector_3& v) { return {-v.x(), -v.y(), -v.z()}; }
+  friend constexpr Vector3 operator-(const Vector3& v) { return {-v.x(), -v.y(), -v.z()}; }
   /// The sum.
-  friend constexpr Vector_3 operator+(const Vector_3& a, const Vector_3& b)
+  friend constexpr Vector3 operator+(const Vector3& a, const Vector3& b)
   {
     return {a.x() + b.x(), a.y() + b.y(), a.z() + b.z()};
   }
   /// The difference.
-  friend constexpr Vector_3 operator-(const Vector_3& a, const Vector_3& b)
+  friend constexpr Vector3 operator-(const Vector3& a, const Vector3& b)
   {
     return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
   }
   /// The product.
-  friend constexpr Vector_3 operator*(const Vector_3& v, double factor)
+  friend constexpr Vector3 operator*(const Vector3& v, double factor)
   {
     return {v.x() * factor, v.y() * factor, v.z() * factor};
   }
   /// The product.
-  friend constexpr Vector_3 operator*(double factor, const Vector_3& v) { return v * factor; }
+  friend constexpr Vector3 operator*(double factor, const Vector3& v) { return v * factor; }
   /// The quotient.
-  friend constexpr Vector_3 operator/(const Vector_3& v, double divisor)
+  friend constexpr Vector3 operator/(const Vector3& v, double divisor)
   {
     return {v.x() / divisor, v.y() / divisor, v.z() / divisor};
   }
   /// Whether all coordinates are equal.
-  friend constexpr bool operator==(const Vector_3& a, const Vector_3& b)
+  friend constexpr bool operator==(const Vector3& a, const Vector3& b)
   {
     return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
   }
   /// Whether some coordinates differ.
-  friend constexpr bool operator!=(const Vector_3& a, const Vector_3& b) { return !(a == b); }
+  friend constexpr bool operator!=(const Vector3& a, const Vector3& b) { return !(a == b); }
 
   /// The scalar product.
-  constexpr double dot(const Vector_3& v) const { return x() * v.x() + y() * v.y() + z() * v.z(); }
+  constexpr double dot(const Vector3& v) const { return x() * v.x() + y() * v.y() + z() * v.z(); }
   /// The vector product.
-  constexpr Vector_3 cross(const Vector_3& v) const
+  constexpr Vector3 cross(const Vector3& v) const
   {
     return {y() * v.z() - z() * v.y(), z() * v.x() - x() * v.z(), x() * v.y() - y() * v.x()};
   }
@@ -128,7 +128,7 @@ public:
   /// The length.
   double norm() const { return std::sqrt(squaredNorm()); }
   /// This vector scaled to unit length; unchanged if it is too short to have a direction.
-  Vector_3 normalized() const
+  Vector3 normalized() const
   {
     const double squared_norm = squaredNorm();
     return squared_norm > 0 ? *this / std::sqrt(squared_norm) : *this;
@@ -136,14 +136,14 @@ public:
   /// Makes the length 1. \see normalized()
   void normalize() { *this = normalized(); }
   /// `normalized()` without overflow or underflow.
-  Vector_3 stableNormalized() const
+  Vector3 stableNormalized() const
   {
     const double greatest = cwiseAbs().maxCoeff();
     const double squared_norm = (*this / greatest).squaredNorm();
     return squared_norm > 0 ? *this / (std::sqrt(squared_norm) * greatest) : *this;
   }
   /// A vector of unit length perpendicular to this one.
-  Vector_3 unitOrthogonal() const
+  Vector3 unitOrthogonal() const
   {
     constexpr double negligible = 1e-12; // relative to the third coordinate
     if (std::abs(x()) > std::abs(z()) * negligible || std::abs(y()) > std::abs(z()) * negligible) {
@@ -155,14 +155,14 @@ public:
   }
 
   /// The absolute values of the coordinates.
-  Vector_3 cwiseAbs() const { return {std::abs(x()), std::abs(y()), std::abs(z())}; }
+  Vector3 cwiseAbs() const { return {std::abs(x()), std::abs(y()), std::abs(z())}; }
   /// The lesser ones of the coordinates of both.
-  constexpr Vector_3 cwiseMin(const Vector_3& v) const
+  constexpr Vector3 cwiseMin(const Vector3& v) const
   {
     return {std::min(x(), v.x()), std::min(y(), v.y()), std::min(z(), v.z())};
   }
   /// The greater ones of the coordinates of both.
-  constexpr Vector_3 cwiseMax(const Vector_3& v) const
+  constexpr Vector3 cwiseMax(const Vector3& v) const
   {
     return {std::max(x(), v.x()), std::max(y(), v.y()), std::max(z(), v.z())};
   }
@@ -173,7 +173,7 @@ public:
   /// Whether all coordinates are finite.
   bool allFinite() const { return std::isfinite(x()) && std::isfinite(y()) && std::isfinite(z()); }
   /// Whether the distance is at most `precision`, relative to the shorter of both vectors.
-  bool isApprox(const Vector_3& v, double precision) const
+  bool isApprox(const Vector3& v, double precision) const
   {
     return (*this - v).norm() <= precision * std::min(norm(), v.norm());
   }
@@ -185,7 +185,7 @@ private:
 // NOLINTEND(readability-identifier-naming)
 
 /// The order by x, then by y, then by z.
-constexpr bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
+constexpr bool is_lexicographically_less(const Vector3& a, const Vector3& b)
 {
   return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
 }
@@ -193,20 +193,20 @@ constexpr bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
 namespace internal {
 
 /// Twice the area of the triangle of three points times its normal, from where these are counterclockwise.
-constexpr Vector_3 triangle_vector(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+constexpr Vector3 triangle_vector(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return (b - a).cross(c - a);
 }
 
 /// The area of the triangle of three points.
-inline double triangle_area(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+inline double triangle_area(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return triangle_vector(a, b, c).norm() / 2;
 }
 
 /// `v` as a point of any type that is constructible from three coordinates.
 template <class Point>
-Point make_point(const Vector_3& v)
+Point make_point(const Vector3& v)
 {
   using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
   return Point(Coordinate(v.x()), Coordinate(v.y()), Coordinate(v.z()));
@@ -222,4 +222,4 @@ inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 } // namespace CSCD
 
-#endif // CSCD_VECTOR_3_H
+#endif // CSCD_VECTOR3_H
