@@ -17,7 +17,6 @@
 
 namespace {
 
-using CSCD::parameters::choose_parameter;
 using CSCD::parameters::get_parameter;
 using CSCD::parameters::get_parameter_reference;
 namespace own = CSCD::internal_np;
@@ -48,17 +47,6 @@ TEST(Named_parameters, Chain_in_any_order)
   expect_seed_threads_sources(p::number_of_threads(2).maximum_number_of_sources(100L).random_seed(7u));
   expect_seed_threads_sources(p::maximum_number_of_sources(100L).random_seed(7u).number_of_threads(2));
   expect_seed_threads_sources(p::maximum_number_of_sources(100L).number_of_threads(2).random_seed(7u));
-}
-
-TEST(Named_parameters, Default_when_not_given)
-{
-  const int fallback = 5;
-  const auto none = CSCD::parameters::default_values();
-  EXPECT_EQ(choose_parameter(get_parameter(none, own::number_of_threads), fallback), 5);
-  const auto seed = CSCD::parameters::random_seed(7u);
-  EXPECT_EQ(choose_parameter(get_parameter(seed, own::number_of_threads), fallback), 5);
-  const auto threads = none.number_of_threads(3);
-  EXPECT_EQ(choose_parameter(get_parameter(threads, own::number_of_threads), fallback), 3);
 }
 
 // As CGAL's functions take them: the three parameters of the chain are deduced, from the front of the chain.

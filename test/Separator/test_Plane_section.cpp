@@ -27,7 +27,6 @@ using CSCD::Triangulated_surface;
 using CSCD::Vector3;
 using CSCD::internal::Plane_section;
 using CSCD::test::is_closed_curve;
-using CSCD::test::pi;
 
 constexpr double any_length = std::numeric_limits<double>::max();
 

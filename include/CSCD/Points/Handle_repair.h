@@ -230,7 +230,7 @@ private:
   }
 
   /// Finds the edges that close loops whose words are not zero, the shortest loops first: loops of two paths that have
-  /// but the center in common, of at most the length `longest`.
+  /// only the center in common, of at most the length `longest`.
   void find_closing_edges(float longest)
   {
     m_closing_edges.clear();
