@@ -24,10 +24,11 @@ namespace CSCD {
 /// A closed surface, and the queries for its body.
 struct Point_solid::Body
 {
+  /// Closes the surface of `complex`.
   explicit Body(const Point_complex& complex) : closed(complex), queries(closed.surface()) {}
 
-  internal::Closed_complex closed;
-  internal::Solid_queries queries;
+  internal::Closed_complex closed; ///< the surface
+  internal::Solid_queries queries; ///< of the surface
 };
 
 CSCD_INLINE Point_solid::Point_solid(const Point_cloud& cloud)
