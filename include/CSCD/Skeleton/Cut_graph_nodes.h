@@ -205,7 +205,8 @@ private:
     const Vector3 middle = (m_graph[a].position + m_graph[b].position) / 2;
     const Vector3 way = m_graph[b].position - m_graph[a].position;
     const Vector3 aside = m_pieces.centroid(piece).value_or(middle) - middle;
-    const Vector3 point = middle + bend_share * (aside - aside.dot(way) / way.squaredNorm() * way);
+    const Vector3 along = way.normalized();
+    const Vector3 point = middle + bend_share * (aside - aside.dot(along) * along);
     if (!m_graph[a].is_on_sheet && way.norm() >= min_bent_edge * radius &&
         (point - middle).norm() < bend_share * radius && m_cut.solid.is_inside(point)) {
       m_graph.split_edge(a, b, point, radius);
