@@ -28,90 +28,40 @@
 
 namespace CSCD::internal {
 
-/// Gives branches nodes at the right distance: removes nodes that own few vertices, and divides long edges.
-class Branch_division
+/// Divides long edges, so that branches have nodes at the right distance: as many short parts as the vertices allow
+/// and, for any number of vertices, none too long.
+inline void divide_branches(Skeleton_builder& graph)
 {
-public:
-  /// \param routing that of `graph`; both are referred to
-  Branch_division(Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
-      : m_routing(routing), m_graph(graph)
-  {
-  }
+  // The length of the parts of an edge, relative to R, if they own enough vertices, ...
+  constexpr double part_length = 0.5;
+  // ... which are so many for each part, on the average, ...
+  constexpr double part_vertices = 12;
+  // ... and for any number of owned vertices: longer edges look broken in thick bodies.
+  constexpr double max_part_length = 1;
+  // Bounds the work on long, thin edges.
+  constexpr double max_parts = 30;
 
-  void operator()()
-  {
-    for (Index node = 0; node < m_graph.size(); ++node) {
-      if (m_graph.is_regular(node) && number_of_vertices(node) < min_vertices) {
-        drop(node);
-      }
-    }
-    for (const auto& [a, b] : m_graph.edges()) {
-      divide(a, b);
-    }
-  }
-
-private:
-  /// The length of the parts of an edge, relative to R, if they own enough vertices, ...
-  static constexpr double part_length = 0.5;
-  /// ... and for any number of owned vertices: longer edges look broken in thick bodies.
-  static constexpr double max_part_length = 1;
-  /// The number of parts of an edge: bounds the work on long, thin ones.
-  static constexpr double max_parts = 30;
-  /// The number of vertices for each short part, on the average.
-  static constexpr double part_vertices = 12;
-  /// The number of vertices of a node: the radii of nodes with fewer scatter by more than a third.
-  static constexpr double min_vertices = 8;
-  /// The length of an edge that replaces a node with fewer, relative to R: bends stay.
-  static constexpr double max_merged_edge = 1;
-
-  double number_of_vertices(Index node) const { return m_graph[node].number_of_vertices.value_or(min_vertices); }
-
-  /// Bypasses `node`, if the new edge is short and free.
-  void drop(Index node)
-  {
-    const Index a = m_graph[node].neighbors[0];
-    const Index b = m_graph[node].neighbors[1];
-    if (m_graph.is_bypassable(node) && m_graph.edge_length(a, b) < max_merged_edge * m_graph[node].radius &&
-        m_routing.is_free(a, b)) {
-      for (Index neighbor : {a, b}) {
-        m_graph[neighbor].number_of_vertices = number_of_vertices(neighbor) + number_of_vertices(node) / 2;
-      }
-      m_graph.bypass(node);
-    }
-  }
-
-  void divide(Index a, Index b)
-  {
-    const Skeleton_builder::Node from = m_graph[a];
-    const Skeleton_builder::Node to = m_graph[b];
+  const auto owned = [&graph](Index node) { return graph[node].number_of_vertices / double(graph.degree(node)); };
+  for (const auto& [a, b] : graph.edges()) {
+    const Skeleton_builder::Node from = graph[a];
+    const Skeleton_builder::Node to = graph[b];
     if (from.is_opening || to.is_opening) {
-      return;
+      continue;
     }
-    const double parts = number_of_parts(a, b);
+    const double length = 2 * graph.edge_length(a, b) / (from.radius + to.radius);
+    const double short_parts =
+        std::min(std::floor(length / part_length) + 1, std::floor((owned(a) + owned(b)) / part_vertices));
+    // The ball of a junction has no sections to center more nodes in.
+    const double wanted = graph.is_junction(a) || graph.is_junction(b) ? 1 : short_parts;
+    const double parts = std::min(std::max(wanted, std::floor(length / max_part_length) + 1), max_parts);
     Index last = a;
     for (int i = 1; i < parts; ++i) {
       const double along = i / parts;
-      const double radius = (1 - along) * from.radius + along * to.radius;
-      last = m_graph.split_edge(last, b, (1 - along) * from.position + along * to.position, radius);
+      last = graph.split_edge(last, b, (1 - along) * from.position + along * to.position,
+                              (1 - along) * from.radius + along * to.radius);
     }
   }
-
-  /// As many short parts as the vertices allow and, for any number of vertices, none too long. The ball of a junction
-  /// has no sections to center more nodes in.
-  double number_of_parts(Index a, Index b) const
-  {
-    const double length = m_graph.edge_length(a, b) / ((m_graph[a].radius + m_graph[b].radius) / 2);
-    const double owned =
-        number_of_vertices(a) / double(m_graph.degree(a)) + number_of_vertices(b) / double(m_graph.degree(b));
-    const bool is_at_junction = m_graph.is_junction(a) || m_graph.is_junction(b);
-    const double wanted =
-        is_at_junction ? 1 : std::min(std::floor(length / part_length) + 1, std::floor(owned / part_vertices));
-    return std::min(std::max(wanted, std::floor(length / max_part_length) + 1), max_parts);
-  }
-
-  Inside_routing<Triangulated_solid>& m_routing;
-  Skeleton_builder& m_graph;
-};
+}
 
 /// Sections of the body. Reuse one object.
 class Body_section

@@ -143,7 +143,6 @@ private:
       const Section_disc disc = section_disc(outline);
       const Index node = m_graph.add_node(disc.center, disc.radius());
       m_graph[node].separators = {i};
-      m_graph[node].number_of_vertices = 0;
       place_on_sheet(m_cut.solid, separator, m_graph[node]);
     }
   }
@@ -155,7 +154,7 @@ private:
     const bool has_node = around.empty() || around.size() > 2;
     const double share = number_of_vertices / double(around.size() + (has_node ? 1 : 0));
     for (Index i : around) {
-      *m_graph[i].number_of_vertices += share;
+      m_graph[i].number_of_vertices += share;
     }
     if (has_node) {
       m_node_of_piece[piece] = add_middle(piece);

@@ -212,12 +212,9 @@ private:
   static constexpr double min_progress = 0.5;
   /// A section is cut off by the border at the end if its middle is farther aside than this, relative to a step, ...
   static constexpr double max_shift = 0.25;
-  /// ... and its half width has fallen by this part of that distance more than before: all of it, if one end is cut
+  /// ... and its half width has fallen by this part of that distance: all of it, if one end is cut
   /// off.
   static constexpr double min_loss = 0.75;
-  /// The tangent of the angle between the sections tried for the shortest one, and the number of rounds.
-  static constexpr double turn = 0.15;
-  static constexpr int number_of_turns = 5;
   /// A bound for the steps towards a point, near which they get shorter and shorter.
   static constexpr int max_steps = 64;
 
@@ -261,14 +258,12 @@ private:
     const double shift = middle ? (*middle - *point).norm() : m_half_width;
     const double loss = m_half_width - m_section.half_width();
     // A middle that is farther aside than the step is long is that of a section along the border at the end.
-    if (!middle || shift >= std::min(step, m_half_width) ||
-        (shift > max_shift * step && loss - m_taper * step > min_loss * shift)) {
+    if (!middle || shift >= std::min(step, m_half_width) || (shift > max_shift * step && loss > min_loss * shift)) {
       m_position = *point;
     } else {
       m_direction = (m_direction + 2 * (*middle - m_position).normalized()).normalized();
       m_position = *middle;
       m_half_width = m_section.half_width();
-      m_taper = std::max(m_taper, loss / step);
     }
     return true;
   }
@@ -289,40 +284,7 @@ private:
       return false;
     }
     m_direction = way.normalized();
-    for (int i = 0; i < number_of_turns; ++i) {
-      turn_to_shortest_section();
-    }
-    // Measured in sections: the radii of nodes vary by more than widths of sheets do.
-    m_taper = 0;
-    if (m_section(m_graph[node].position, m_direction, m_half_width)) {
-      m_taper = std::max(0., m_section.half_width() - m_half_width) / way.norm();
-    }
     return true;
-  }
-
-  /// Turns the direction until the section here is shortest, as that of a parabola through three lengths, and goes to
-  /// its middle.
-  void turn_to_shortest_section()
-  {
-    const Vector3 aside =
-        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
-    std::array<double, 3> half_width{};
-    for (std::size_t k = 0; k < half_width.size(); ++k) {
-      if (!m_section(m_position, m_direction + (double(k) - 1) * turn * aside, m_half_width)) {
-        return;
-      }
-      half_width[k] = m_section.half_width();
-    }
-    const double slope = half_width[2] - half_width[0];
-    const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
-    const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
-    const Vector3 direction = (m_direction + change * turn * aside).normalized();
-    const std::optional<Vector3> middle = m_section(m_position, direction, m_half_width);
-    if (middle && (*middle - m_position).norm() < m_half_width) {
-      m_position = *middle;
-      m_direction = direction;
-      m_half_width = m_section.half_width();
-    }
   }
 
   const Triangulated_solid& m_solid;
@@ -331,7 +293,6 @@ private:
   Vector3 m_position = Vector3::Zero(); ///< where the branch has been led to
   Vector3 m_direction = Vector3::Zero();
   double m_half_width = 0; ///< there
-  double m_taper = 0;      ///< its steepest fall, relative to the way
 };
 
 } // namespace CSCD::internal

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -47,8 +46,8 @@ public:
     bool is_opening = false;
     /// Whether the node lies in the middle of a sheet, which has no inside to be centered in.
     bool is_on_sheet = false;
-    /// About how many vertices of the surface belong to the node; nothing where that was not counted.
-    std::optional<double> number_of_vertices = {};
+    /// About how many vertices of the surface belong to the node; 0 where that was not counted.
+    double number_of_vertices = 0;
     /// Whether the node was merged into another one.
     bool is_removed = false;
     /// The node that it was merged into.

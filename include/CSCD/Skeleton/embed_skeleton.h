@@ -115,7 +115,7 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   Inside_routing<Triangulated_solid> routing(solid, graph);
   place_nodes({solid, separators, packed, cut_graph}, routing, graph);
   routing.route_edges();
-  Branch_division(routing, graph)();
+  divide_branches(graph);
   Branch_relaxation(solid, graph)();
   finish_on_sheets(solid, graph);
   routing.route_edges(true);
