@@ -122,7 +122,8 @@ Simplification_report simplify_skeleton(Graph& graph, const Triangulated_solid* 
 /// anew. Each of the steps up to the third, alone, changes nothing when it is repeated. O(n log n) for n nodes.
 ///
 /// \tparam Skeleton a model of `CurveSkeletonGraph`, its points constructible from three coordinates
-/// \param skeleton is replaced; if the function throws, it is as it was
+/// \param skeleton is replaced, with the properties that the concept knows and no others; if the function throws, it is
+///        as it was
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
