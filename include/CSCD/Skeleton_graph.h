@@ -206,10 +206,20 @@ CSCD::Skeleton index_skeleton(const Skeleton& skeleton)
   return result;
 }
 
+/// The type of the points of the nodes of a `CurveSkeletonGraph`.
+template <class Graph>
+using Skeleton_point = std::decay_t<decltype(std::declval<const typename Graph::vertex_bundled&>().point)>;
+
+/// The type of the input descriptors that they hold.
+template <class Graph>
+using Skeleton_descriptor =
+    std::decay_t<decltype(*std::begin(std::declval<const typename Graph::vertex_bundled&>().vertices))>;
+
 /// `skeleton` as a graph.
 /// \tparam Graph a model of `CurveSkeletonGraph` \tparam Point constructible from three coordinates
 /// \param descriptors identifies, by its number, each input vertex that `skeleton.vertices` names
-template <class Graph, class Point, class Descriptors>
+/// \pre there are radii and significances if nodes and edges of `Graph` have them
+template <class Graph, class Point = Skeleton_point<Graph>, class Descriptors>
 Graph make_skeleton_graph(const Skeleton& skeleton, const Descriptors& descriptors)
 {
   Graph graph;
@@ -223,10 +233,12 @@ Graph make_skeleton_graph(const Skeleton& skeleton, const Descriptors& descripto
       bundle.radius = skeleton.radii[node];
     }
     if constexpr (has_is_opening_v<Graph>) {
-      bundle.is_opening = skeleton.is_opening[node] != 0;
+      bundle.is_opening = !skeleton.is_opening.empty() && skeleton.is_opening[node] != 0;
     }
-    for (const Index number : skeleton.vertices[node]) {
-      bundle.vertices.push_back(descriptors[number]);
+    if (!skeleton.vertices.empty()) {
+      for (const Index number : skeleton.vertices[node]) {
+        bundle.vertices.push_back(descriptors[number]);
+      }
     }
   }
   for (std::size_t i = 0; i < skeleton.edges.size(); ++i) {
@@ -234,6 +246,9 @@ Graph make_skeleton_graph(const Skeleton& skeleton, const Descriptors& descripto
         add_edge(vertex[skeleton.edges[i][0]], vertex[skeleton.edges[i][1]], graph).first;
     if constexpr (has_significance_v<Graph>) {
       graph[edge].significance = skeleton.significance[i];
+    }
+    if constexpr (has_is_joined_v<Graph>) {
+      graph[edge].is_joined = !skeleton.is_joined.empty() && skeleton.is_joined[i] != 0;
     }
   }
   return graph;

@@ -25,14 +25,11 @@ namespace CSCD::internal {
 
 namespace {
 
+constexpr const char* remedy_of_damage = "fetch or write the file again";
+
 [[noreturn, maybe_unused]] void fail_to_decompress(const std::string& filename)
 {
-  fail_in_file(filename, "compressed data are damaged", "fetch or write the file again");
-}
-
-[[noreturn, maybe_unused]] void fail_at_end(const std::string& filename)
-{
-  fail_in_file(filename, "compressed data end too early", "fetch or write the file again");
+  fail_in_file(filename, "compressed data are damaged", remedy_of_damage);
 }
 
 [[noreturn, maybe_unused]] void fail_without_zlib(const std::string& filename)
@@ -62,8 +59,6 @@ std::string inflate(std::string_view bytes, std::size_t size, const std::string&
 
 struct Inflating_stream::State
 {
-  static constexpr std::size_t buffer_size = std::size_t(1) << 16U; // bytes
-
   State(std::istream& its_in, const std::string& its_filename) : in(its_in), filename(its_filename)
   {
     constexpr int recognizes_header = 32;
@@ -74,51 +69,44 @@ struct Inflating_stream::State
   State(State&&) = delete;
   ~State() { inflateEnd(&stream); }
 
-  /// Reads `size` bytes, or fewer at the end of the data. \return how many
+  /// Decompresses the next bytes, `size` of them at most. \return their number, 0 at the end of the data
   std::size_t read_some(char* bytes, std::size_t size)
   {
     stream.next_out = reinterpret_cast<Bytef*>(bytes);
-    stream.avail_out = uInt(size);
-    while (stream.avail_out > 0 && inflate_some()) {
+    stream.avail_out = uInt(std::min<std::size_t>(size, std::numeric_limits<uInt>::max()));
+    const uInt room = stream.avail_out;
+    while (stream.avail_out > 0 && (stream.avail_in > 0 || refill())) {
+      const int status = ::inflate(&stream, Z_NO_FLUSH);
+      is_between_streams = status == Z_STREAM_END;
+      if (is_between_streams) {
+        inflateReset(&stream); // gzip allows several streams in one file
+      } else if (status != Z_OK) {
+        fail_to_decompress(filename);
+      }
     }
-    return size - stream.avail_out;
+    return room - stream.avail_out;
   }
 
   /// \return false at the end of the data
-  bool inflate_some()
+  bool refill()
   {
-    if (stream.avail_in == 0) {
-      in.read(buffer.data(), std::streamsize(buffer.size()));
-      stream.next_in = reinterpret_cast<Bytef*>(buffer.data());
-      stream.avail_in = uInt(in.gcount());
-      if (stream.avail_in == 0) {
-        if (!is_between_streams) {
-          fail_at_end(filename);
-        }
-        return false;
-      }
+    in.read(buffer.data(), std::streamsize(buffer.size()));
+    stream.next_in = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_in = uInt(in.gcount());
+    if (stream.avail_in == 0 && !is_between_streams) {
+      fail_at_end();
     }
-    const int status = ::inflate(&stream, Z_NO_FLUSH);
-    is_between_streams = status == Z_STREAM_END;
-    if (is_between_streams) {
-      inflateReset(&stream); // gzip allows several streams in one file
-    } else if (status != Z_OK) {
-      fail_to_decompress(filename);
-    }
-    return true;
+    return stream.avail_in > 0;
   }
+
+  [[noreturn]] void fail_at_end() const { fail_in_file(filename, "compressed data end too early", remedy_of_damage); }
 
   std::istream& in;
   std::string filename;
-  std::vector<char> buffer = std::vector<char>(buffer_size);
+  std::vector<char> buffer = std::vector<char>(std::size_t(1) << 16U);
   z_stream stream{};
   bool is_between_streams = true;
 };
-
-Inflating_stream::Inflating_stream(std::istream& in, const std::string& filename)
-    : m_state(std::make_unique<State>(in, filename))
-{
-}
 
 #else
 
@@ -130,29 +118,29 @@ std::string inflate(std::string_view, std::size_t, const std::string& filename)
 /// There is none.
 struct Inflating_stream::State
 {
-  std::string filename;
+  State(std::istream&, const std::string& filename) { fail_without_zlib(filename); }
   std::size_t read_some(char*, std::size_t) { return 0; }
+  void fail_at_end() const {}
 };
 
-Inflating_stream::Inflating_stream(std::istream&, const std::string& filename)
-{
-  fail_without_zlib(filename);
-}
-
 #endif
+
+Inflating_stream::Inflating_stream(std::istream& in, const std::string& filename)
+    : m_state(std::make_unique<State>(in, filename))
+{
+}
 
 Inflating_stream::~Inflating_stream() = default;
 
 void Inflating_stream::read(char* bytes, std::size_t size)
 {
-  constexpr std::size_t max_part = std::numeric_limits<unsigned>::max(); // the greatest count of zlib
   while (size > 0) {
-    const std::size_t part = std::min(size, max_part);
-    if (m_state->read_some(bytes, part) < part) {
-      fail_at_end(m_state->filename);
+    const std::size_t number = m_state->read_some(bytes, size);
+    if (number == 0) {
+      m_state->fail_at_end();
     }
-    bytes += part;
-    size -= part;
+    bytes += number;
+    size -= number;
   }
 }
 
@@ -160,8 +148,7 @@ std::string Inflating_stream::read_all()
 {
   constexpr std::size_t block_size = std::size_t(1) << 20U; // bytes; large enough that the calls do not count
   std::string result;
-  std::size_t added = block_size;
-  while (added == block_size) {
+  for (std::size_t added = block_size; added > 0;) {
     const std::size_t size = result.size();
     result.resize(size + block_size);
     added = m_state->read_some(result.data() + size, block_size);

@@ -8,6 +8,7 @@
 
 #include <CSCD/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -69,44 +70,30 @@ public:
   }
 
 private:
-  static constexpr int bits_of_digit = 6;
-
   bool skip_blanks()
   {
-    const std::size_t digit = m_text.find_first_not_of(" \t\r\n");
-    m_text.remove_prefix(digit == std::string_view::npos ? m_text.size() : digit);
+    m_text.remove_prefix(std::min(m_text.find_first_not_of(" \t\r\n"), m_text.size()));
     return !m_text.empty();
-  }
-
-  /// The value of a digit; -1 of other characters.
-  static int value(char c)
-  {
-    return c >= 'A' && c <= 'Z'   ? c - 'A'
-           : c >= 'a' && c <= 'z' ? c - 'a' + 26
-           : c >= '0' && c <= '9' ? c - '0' + 52
-           : c == '+'             ? 62
-           : c == '/'             ? 63
-                                  : -1;
   }
 
   /// Appends three bytes; fewer where `=` fills the last digits; further data may follow.
   void decode_quartet(std::string& bytes)
   {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::uint32_t bits = 0;
     int number_of_digits = 0;
     for (int i = 0; i < 4; ++i) {
       if (!skip_blanks()) {
         fail();
       }
-      const char c = m_text.front();
-      m_text.remove_prefix(1);
-      const int digit = value(c);
-      const bool is_filling = c == '=' && i >= 2;
-      if ((digit < 0 && !is_filling) || (digit >= 0 && number_of_digits < i)) {
+      const std::size_t digit = digits.find(m_text.front());
+      const bool is_digit = digit < digits.size() && number_of_digits == i;
+      if (!is_digit && (m_text.front() != '=' || i < 2)) {
         fail();
       }
-      number_of_digits += is_filling ? 0 : 1;
-      bits = bits << bits_of_digit | std::uint32_t(is_filling ? 0 : digit);
+      number_of_digits += is_digit ? 1 : 0;
+      bits = bits << 6U | std::uint32_t(is_digit ? digit : 0);
+      m_text.remove_prefix(1);
     }
     for (int i = 0; i + 1 < number_of_digits; ++i) {
       bytes.push_back(char(bits >> (16 - 8 * i) & 0xffU));

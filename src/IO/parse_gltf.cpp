@@ -93,31 +93,23 @@ private:
   /// \return the JSON; the rest of a binary file becomes the first buffer
   std::string_view split()
   {
-    constexpr std::size_t header_size = 12;
     constexpr std::uint32_t version = 2;
     if (m_content.substr(0, 4) != "glTF") {
       return m_content;
     }
-    Byte_scanner header(m_content.substr(4), Byte_order::little, m_filename);
-    if (header.number<std::uint32_t>() != version) {
+    Byte_scanner bytes(m_content.substr(4), Byte_order::little, m_filename);
+    if (bytes.number<std::uint32_t>() != version) {
       fail("only version 2 of glTF is read");
     }
-    std::string_view rest = m_content.substr(std::min(header_size, m_content.size()));
-    const std::string_view json = next_chunk(rest);
-    m_binary_chunk = rest.empty() ? rest : next_chunk(rest);
+    const auto next_chunk = [&bytes]() -> std::string_view {
+      const std::size_t size = bytes.number<std::uint32_t>();
+      bytes.skip(sizeof(std::uint32_t)); // the kind of the chunk
+      return {bytes.skip(size), size};
+    };
+    bytes.skip(sizeof(std::uint32_t)); // the size of the file
+    const std::string_view json = next_chunk();
+    m_binary_chunk = bytes.remaining() == 0 ? std::string_view() : next_chunk();
     return json;
-  }
-
-  std::string_view next_chunk(std::string_view& rest) const
-  {
-    constexpr std::size_t chunk_header_size = 8;
-    const std::size_t size = Byte_scanner(rest, Byte_order::little, m_filename).number<std::uint32_t>();
-    if (rest.size() < chunk_header_size || size > rest.size() - chunk_header_size) {
-      fail("the file ends before all that its header promises");
-    }
-    const std::string_view chunk = rest.substr(chunk_header_size, size);
-    rest.remove_prefix(chunk_header_size + size);
-    return chunk;
   }
 
   const Json& list(const char* name) const { return list(m_json, name); }

@@ -272,7 +272,9 @@ Shape_file parse_stl(std::string_view content, const std::string& filename, unsi
   Shape_file result;
   points.move_to(result.points, result.corners);
   check_number_of_points(result.corners.size(), filename);
-  result.first_corner = Corner_offsets(result.corners.size() / 3);
+  for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
+    result.first_corner.push_back(end);
+  }
   return result;
 }
 

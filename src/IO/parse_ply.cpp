@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,18 +50,6 @@ struct Ply_element
                        [&](const Ply_property& p) { return p.name == its_name && !p.is_list; });
   }
 };
-
-/// The type of numbers that PLY calls `name`; one that is not valid if there is none.
-Number_type ply_type(std::string_view name)
-{
-  static const std::map<std::string_view, Number_type> types{
-      {"char", {'i', 1}},  {"int8", {'i', 1}},    {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
-      {"short", {'i', 2}}, {"int16", {'i', 2}},   {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
-      {"int", {'i', 4}},   {"int32", {'i', 4}},   {"uint", {'u', 4}},   {"uint32", {'u', 4}},
-      {"float", {'f', 4}}, {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}}};
-  const auto found = types.find(name);
-  return found != types.end() ? found->second : Number_type();
-}
 
 /// Reads vertices, and faces or edges; all other elements and properties are passed over.
 class Ply_parser
@@ -162,7 +149,7 @@ private:
 
   Number_type type(std::string_view name) const
   {
-    const Number_type result = ply_type(name);
+    const Number_type result = number_type(name);
     if (!result.is_valid()) {
       m_scanner.fail("the header names an unknown type", remedy);
     }
@@ -223,6 +210,18 @@ private:
     return places;
   }
 
+  /// Calls `use(item, numbers)` for each item with its properties of `names`; those that are missing are 0.
+  template <class Use>
+  void read_numbers(const Ply_element& element, Names names, const Use& use)
+  {
+    const std::vector<std::size_t> places = find_places(element, names);
+    std::vector<double> numbers(names.size() + 1); // the last one is not needed
+    const auto keep = [&](std::size_t, const Ply_property& property, std::size_t, double number) {
+      numbers[places[std::size_t(&property - element.properties.data())]] = number;
+    };
+    read_items(element, keep, [&](std::size_t item) { use(item, numbers); });
+  }
+
   void check_properties(const Ply_element& element, Names names) const
   {
     for (const std::string_view name : names) {
@@ -234,33 +233,25 @@ private:
 
   void read_points(const Ply_element& element)
   {
-    constexpr std::size_t size = 7;
     const Names names{"x", "y", "z", "nx", "ny", "nz", "radius"};
     check_properties(element, {"x", "y", "z"});
     const bool has_normals = m_contents != skeleton_content && element.has_number("nx") && element.has_number("ny") &&
                              element.has_number("nz");
     const bool has_radii = (m_contents & skeleton_content) != 0 && element.has_number("radius");
     const std::size_t first = m_shape.points.size();
-    const std::vector<std::size_t> places = find_places(element, names);
-    if (!has_normals && !has_radii && read_point_records(element, places)) {
+    if (!has_normals && !has_radii && read_point_records(element, find_places(element, names))) {
       check_finite(first);
       return;
     }
     m_shape.points.reserve(first + std::min(element.number_of_items, remaining() / 3 + 1));
-    std::array<double, size + 1> values{}; // the last one is not needed
-    const auto use = [&](std::size_t, const Ply_property& property, std::size_t, double number) {
-      values[places[std::size_t(&property - element.properties.data())]] = number;
-    };
-    read_items(element, use, [&](std::size_t) {
+    read_numbers(element, names, [&](std::size_t, const std::vector<double>& values) {
       m_shape.points.emplace_back(values[0], values[1], values[2]);
-      if (!m_shape.points.back().allFinite()) {
-        check_finite(m_shape.points.size() - 1);
-      }
+      check_finite(m_shape.points.size() - 1);
       if (has_normals) {
         m_shape.normals.emplace_back(values[3], values[4], values[5]);
       }
       if (has_radii) {
-        m_shape.radii.push_back(values[size - 1]);
+        m_shape.radii.push_back(values[6]);
       }
     });
     check_number_of_points(m_shape.points.size(), m_filename);
@@ -349,12 +340,7 @@ private:
   void read_edges(const Ply_element& element)
   {
     check_properties(element, {"vertex1", "vertex2"});
-    const std::vector<std::size_t> places = find_places(element, {"vertex1", "vertex2"});
-    std::array<double, 3> ends{}; // the last one is not needed
-    const auto use = [&](std::size_t, const Ply_property& property, std::size_t, double number) {
-      ends[places[std::size_t(&property - element.properties.data())]] = number;
-    };
-    read_items(element, use, [&](std::size_t edge) {
+    read_numbers(element, {"vertex1", "vertex2"}, [this](std::size_t edge, const std::vector<double>& ends) {
       m_shape.lines.push_back({to_index(ends[0], "edge", edge), to_index(ends[1], "edge", edge)});
     });
   }

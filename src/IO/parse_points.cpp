@@ -375,18 +375,14 @@ Shape_file parse_las(std::string_view content, const std::string& filename, unsi
   }
   check_number_of_points(number_of_points, filename);
   Shape_file shape;
-  shape.points.reserve(number_of_points);
-  Byte_scanner scanner = scanner_at(data_offset);
-  for (std::uint64_t i = 0; i < number_of_points; ++i) {
-    Vector3 point = scanner.vector<std::int32_t>();
-    for (int axis = 0; axis < 3; ++axis) {
-      point[axis] = point[axis] * scale[axis] + offset[axis];
-    }
-    if (!point.allFinite()) {
-      fail_in_file(filename, "the scale or offset in the header is not finite");
-    }
-    scanner.skip(point_size - min_point_size);
-    shape.points.push_back(point);
+  shape.points.resize(number_of_points);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char* const first = scanner_at(data_offset).data() + axis * sizeof(std::int32_t);
+    const Number_view column{first, {'i', sizeof(std::int32_t)}, Byte_order::little, point_size, number_of_points};
+    column.for_each([&](std::size_t i, double x) { shape.points[i][axis] = x * scale[axis] + offset[axis]; });
+  }
+  if (!std::all_of(shape.points.begin(), shape.points.end(), [](const Vector3& p) { return p.allFinite(); })) {
+    fail_in_file(filename, "the scale or offset in the header is not finite");
   }
   return shape;
 }

@@ -295,13 +295,7 @@ private:
 
   Number_type type() const
   {
-    const std::string_view name = m_xml.attribute("type");
-    const std::size_t digit = name.find_first_of("0123456789");
-    std::size_t bits = 0;
-    if (digit != std::string_view::npos) {
-      std::from_chars(name.data() + digit, name.data() + name.size(), bits);
-    }
-    const Number_type result{name.substr(0, 1) == "F" ? 'f' : name.substr(0, 1) == "U" ? 'u' : 'i', bits / 8};
+    const Number_type result = number_type(m_xml.attribute("type"));
     if (!result.is_valid()) {
       m_collector.fail("an array has an unknown type");
     }
@@ -582,23 +576,18 @@ private:
 
   Numbers binary_numbers(std::size_t number, const std::string& type)
   {
-    static const std::map<std::string, Number_type> types{
-        {"char", {'i', 1}},          {"signed_char", {'i', 1}},    {"unsigned_char", {'u', 1}},
-        {"short", {'i', 2}},         {"unsigned_short", {'u', 2}}, {"int", {'i', 4}},
-        {"unsigned_int", {'u', 4}},  {"vtkIdType", {'i', 4}},      {"long", {'i', 8}},
-        {"unsigned_long", {'u', 8}}, {"vtktypeint64", {'i', 8}},   {"vtktypeuint64", {'u', 8}},
-        {"float", {'f', 4}},         {"double", {'f', 8}}};
-    const auto its_type = types.find(type);
-    if (its_type == types.end()) {
+    constexpr std::size_t size_of_long = 8;
+    const Number_type its_type = number_type(type, size_of_long);
+    if (!its_type.is_valid()) {
       m_scanner.fail("an array has the unknown type " + printable_keyword(type), remedy);
     }
     m_scanner.skip_line();
-    if (number > m_scanner.remaining() / its_type->second.size) {
+    if (number > m_scanner.remaining() / its_type.size) {
       m_scanner.fail_at_end("all numbers of an array");
     }
     Byte_scanner bytes(m_scanner.rest(), Byte_order::big, m_filename);
-    m_scanner.skip(number * its_type->second.size);
-    return to_vector(bytes.numbers(its_type->second, number));
+    m_scanner.skip(number * its_type.size);
+    return to_vector(bytes.numbers(its_type, number));
   }
 
   std::string m_filename;

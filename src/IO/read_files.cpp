@@ -97,22 +97,21 @@ const File_format* find_format(const std::string& filename, unsigned contents)
 /// The format that holds some of `contents` and that the ending of `filename` names. \throw File_error if there is none
 const File_format& get_format(const std::string& filename, unsigned contents)
 {
-  const bool is_skeleton = contents == skeleton_content; // these are not compressed
-  const std::string plain = is_skeleton ? filename : without_compression_ending(filename);
+  const std::string plain = contents == skeleton_content ? filename : without_compression_ending(filename);
   const File_format* const format = find_format(plain, contents);
+  if (format != nullptr) {
+    return *format;
+  }
   const auto list = [](unsigned kinds) { return boost::algorithm::join(endings(kinds), " "); };
-  if (format == nullptr && (contents == mesh_content || contents == point_content || is_skeleton)) {
-    fail_in_file(plain,
-                 contents == mesh_content ? "the ending names no known mesh format"
-                 : is_skeleton            ? "the ending names no known skeleton format"
-                                          : "the ending names no known format of points",
-                 "use one of " + list(contents));
+  constexpr const char* fault = "the ending names no known ";
+  for (const auto& [kind, name] : {std::pair(mesh_content, "mesh format"), std::pair(point_content, "format of points"),
+                                   std::pair(skeleton_content, "skeleton format")}) {
+    if (contents == kind) {
+      fail_in_file(plain, std::string(fault) + name, "use one of " + list(kind));
+    }
   }
-  if (format == nullptr) {
-    fail_in_file(filename, "the ending names no known format",
-                 "use one of " + list(mesh_content) + " for meshes, " + list(point_content) + " for points");
-  }
-  return *format;
+  fail_in_file(filename, std::string(fault) + "format",
+               "use one of " + list(mesh_content) + " for meshes, " + list(point_content) + " for points");
 }
 
 /// The number of bytes that are left in `in`, or 0 where that is not known, as of a pipe.
@@ -127,11 +126,6 @@ std::size_t remaining_size(std::istream& in)
   in.clear();
   in.seekg(begin);
   return end > begin ? static_cast<std::size_t>(end - begin) : 0;
-}
-
-[[noreturn]] void fail_to_read(const std::string& name)
-{
-  fail_in_file(name, "cannot be read to its end", "check the disk or the connection");
 }
 
 void check_polygons(const Shape_file& shape, const std::string& filename)
@@ -223,7 +217,7 @@ std::string read_content(std::istream& in, const std::string& name, const std::s
     content.resize(size + static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) {
-    fail_to_read(name);
+    fail_in_file(name, "cannot be read to its end", "check the disk or the connection");
   }
   return content;
 }
@@ -247,18 +241,7 @@ std::ifstream open_file(const std::string& filename)
 std::string read_content(const std::string& filename)
 {
   std::ifstream in = open_file(filename);
-  std::error_code error;
-  const auto size = std::filesystem::file_size(filename, error);
-  if (error || has_ending(filename, gzip_ending)) {
-    return read_content(in, filename, filename); // a pipe, or of another size
-  }
-  std::string content(static_cast<std::size_t>(size), '\0');
-  in.read(content.data(), static_cast<std::streamsize>(content.size()));
-  content.resize(static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) {
-    fail_to_read(filename);
-  }
-  return content;
+  return read_content(in, filename, filename);
 }
 
 Shape_file parse_shape(std::string_view content, const std::string& ending, const std::string& name, unsigned contents)

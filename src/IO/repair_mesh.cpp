@@ -16,10 +16,10 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/utility.h>
 
 #include <algorithm>
@@ -60,8 +60,7 @@ void for_each_edge(const std::vector<std::array<Index, 3>>& faces, const Functio
 }
 
 /// Whether a triangle names a vertex twice.
-template <class Triangle>
-bool is_degenerate(const Triangle& t)
+bool is_degenerate(const std::array<Index, 3>& t)
 {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
@@ -229,8 +228,7 @@ Indexed_triangles triangulate_polygon_soup(Shape_file&& polygons)
 /// Pairs the halfedges of `triangles` if these form an oriented manifold, with or without borders. Linear.
 std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
 {
-  if (triangles.faces.empty() ||
-      std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate<std::array<Index, 3>>)) {
+  if (triangles.faces.empty() || std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate)) {
     return std::nullopt;
   }
   Halfedge_pairing pairing(triangles.faces, triangles.points.size(), number_of_threads);
@@ -240,41 +238,10 @@ std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles
   return pairing;
 }
 
-/// Triangles as CGAL's functions for soups want them.
-struct Cgal_soup
+/// The only part of a kernel that CGAL's functions for soups use.
+struct Soup_traits
 {
-  using Point = CGAL::Simple_cartesian<double>::Point_3;
-  using Polygon = std::vector<std::size_t>;
-
-  explicit Cgal_soup(const Indexed_triangles& soup)
-  {
-    points.reserve(soup.points.size());
-    for (const Vector3& p : soup.points) {
-      points.emplace_back(p.x(), p.y(), p.z());
-    }
-    polygons.reserve(soup.faces.size());
-    for (const std::array<Index, 3>& t : soup.faces) {
-      polygons.push_back({t[0], t[1], t[2]});
-    }
-  }
-
-  Indexed_triangles triangles() const
-  {
-    Indexed_triangles result;
-    result.points.reserve(points.size());
-    for (const Point& p : points) {
-      result.points.emplace_back(p.x(), p.y(), p.z());
-    }
-    result.faces.reserve(polygons.size());
-    for (const Polygon& t : polygons) {
-      result.faces.push_back({static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])});
-    }
-    result.first_hole_filling_face = result.faces.size();
-    return result;
-  }
-
-  std::vector<Point> points;
-  std::vector<Polygon> polygons;
+  static constexpr auto less_xyz_3_object() { return is_lexicographically_less; }
 };
 
 /// Merges points of equal coordinates. \return their number
@@ -291,45 +258,44 @@ std::size_t merge_points(Indexed_triangles& soup)
 }
 
 /// Removes the triangles of flaps. Their points stay. \return their number
-std::size_t remove_flaps(Cgal_soup& soup)
+std::size_t remove_flaps(Indexed_triangles& soup)
 {
-  const std::vector<char> is_flap = find_flaps(soup.triangles());
+  const std::vector<char> is_flap = find_flaps(soup);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+  for (std::size_t i = 0; i < soup.faces.size(); ++i) {
     if (is_flap[i] == 0) {
-      std::swap(soup.polygons[kept++], soup.polygons[i]);
+      soup.faces[kept++] = soup.faces[i];
     }
   }
-  const std::size_t number_of_flap_faces = soup.polygons.size() - kept;
-  soup.polygons.resize(kept);
+  const std::size_t number_of_flap_faces = soup.faces.size() - kept;
+  soup.faces.resize(kept);
   return number_of_flap_faces;
 }
 
 /// Removes triangles that name a vertex twice, all but one of those of the same vertices, flaps, and points without
 /// triangle.
-void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
+void remove_useless_elements(Indexed_triangles& soup, Mesh_repair_report& report)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  const std::size_t number_of_polygons = soup.polygons.size();
-  soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate<Cgal_soup::Polygon>),
-                      soup.polygons.end());
-  PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons);
-  report.number_of_removed_faces += number_of_polygons - soup.polygons.size();
+  const std::size_t number_of_faces = soup.faces.size();
+  soup.faces.erase(std::remove_if(soup.faces.begin(), soup.faces.end(), is_degenerate), soup.faces.end());
+  PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.faces, CGAL::parameters::geom_traits(Soup_traits()));
+  report.number_of_removed_faces += number_of_faces - soup.faces.size();
   report.number_of_removed_flap_faces += remove_flaps(soup);
-  report.number_of_removed_points += PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
+  report.number_of_removed_points += PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.faces);
 }
 
 /// Turns triangles so that neighbors agree, and duplicates points where the surface is not a manifold.
-void orient(Cgal_soup& soup, Mesh_repair_report& report)
+void orient(Indexed_triangles& soup, Mesh_repair_report& report)
 {
   const std::size_t number_of_points = soup.points.size();
-  const std::vector<Cgal_soup::Polygon> old_polygons = soup.polygons;
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
+  const std::vector<std::array<Index, 3>> old_faces = soup.faces;
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.faces);
   report.number_of_duplicated_points += soup.points.size() - number_of_points;
-  for (std::size_t i = 0; i < old_polygons.size(); ++i) {
+  for (std::size_t i = 0; i < old_faces.size(); ++i) {
     // a turned triangle has its corners in reverse order; a corner of another index is a duplicated point
-    const bool is_turned = soup.points[soup.polygons[i][0]] != soup.points[old_polygons[i][0]] ||
-                           soup.points[soup.polygons[i][1]] != soup.points[old_polygons[i][1]];
+    const bool is_turned = soup.points[soup.faces[i][0]] != soup.points[old_faces[i][0]] ||
+                           soup.points[soup.faces[i][1]] != soup.points[old_faces[i][1]];
     report.number_of_turned_faces += is_turned ? 1 : 0;
   }
 }
@@ -342,10 +308,9 @@ std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Me
   report.number_of_merged_points += merge_points(soup);
   std::optional<Halfedge_pairing> pairing = pair_manifold(soup);
   if (!pairing) {
-    Cgal_soup cgal_soup(soup);
-    remove_useless_elements(cgal_soup, report);
-    orient(cgal_soup, report);
-    soup = cgal_soup.triangles();
+    remove_useless_elements(soup, report);
+    orient(soup, report);
+    soup.first_hole_filling_face = soup.faces.size();
     pairing = pair_manifold(soup);
   }
   return pairing;

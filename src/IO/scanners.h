@@ -10,6 +10,8 @@
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
@@ -22,6 +24,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <locale>
+#include <map>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -31,6 +34,12 @@
 namespace CSCD::internal {
 
 using Byte_order = boost::endian::order;
+
+/// `text` in lower case, whatever the locale is.
+inline std::string lower_case(std::string_view text)
+{
+  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
+}
 
 /// How a number is stored.
 struct Number_type
@@ -50,6 +59,32 @@ struct Number_type
 inline bool operator==(const Number_type& a, const Number_type& b)
 {
   return a.kind == b.kind && a.size == b.size;
+}
+
+/// The type that a format calls `name`, such as `uchar`, `unsigned char`, `UInt8`, `uint8_t` or `MET_UCHAR`; a type
+/// that is not valid for other names. \param size_of_long in bytes, as formats differ; 0 where `long` is not a type
+inline Number_type number_type(std::string_view name, std::size_t size_of_long = 0)
+{
+  std::string plain = boost::algorithm::erase_all_copy(lower_case(name), " ");
+  boost::algorithm::erase_all(plain, "_");
+  const auto skip = [&plain](std::string_view prefix) {
+    const bool is_there = boost::algorithm::starts_with(plain, prefix);
+    plain.erase(0, is_there ? prefix.size() : 0);
+    return is_there;
+  };
+  skip("met");     // of MetaImage
+  skip("vtktype"); // of VTK
+  const bool has_no_sign = skip("unsigned") || (!skip("signed") && skip("u"));
+  const std::map<std::string_view, Number_type> types{
+      {"char", {'i', 1}},        {"int8", {'i', 1}},    {"int8t", {'i', 1}},     {"short", {'i', 2}},
+      {"shortint", {'i', 2}},    {"int16", {'i', 2}},   {"int16t", {'i', 2}},    {"int", {'i', 4}},
+      {"int32", {'i', 4}},       {"int32t", {'i', 4}},  {"vtkidtype", {'i', 4}}, {"longlong", {'i', 8}},
+      {"longlongint", {'i', 8}}, {"int64", {'i', 8}},   {"int64t", {'i', 8}},    {"long", {'i', size_of_long}},
+      {"float", {'f', 4}},       {"float32", {'f', 4}}, {"double", {'f', 8}},    {"float64", {'f', 8}}};
+  const auto found = types.find(plain);
+  Number_type result = found != types.end() ? found->second : Number_type();
+  result.kind = has_no_sign && result.kind == 'i' ? 'u' : result.kind;
+  return result;
 }
 
 /// Calls `use` with a zero of the type of C++ that `type` means. \pre the type is valid
@@ -221,12 +256,6 @@ inline std::from_chars_result number_from_chars(const char* first, const char* l
 inline bool is_blank(char c)
 {
   return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-/// `text` in lower case, whatever the locale is.
-inline std::string lower_case(std::string_view text)
-{
-  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
 }
 
 /// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks.
@@ -481,13 +510,11 @@ public:
   bool is_closing() const { return m_tag.front() == '/'; }
   bool is_empty() const { return m_tag.back() == '/'; }
 
-  /// The name of the element, without its name space.
+  /// The name of the element.
   std::string_view name() const
   {
     const std::string_view tag = m_tag.substr(is_closing() ? 1 : 0);
-    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/"));
-    const std::size_t colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+    return tag.substr(0, tag.find_first_of(" \t\r\n/"));
   }
 
   /// The value of an attribute; empty if there is none.

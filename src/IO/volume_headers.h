@@ -201,30 +201,6 @@ inline void find_data(const std::string& filename, const std::string& name, cons
   header.skipped_bytes = header.is_data_at_end ? 0 : lines.count(skip, 0);
 }
 
-/// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
-inline Number_type nrrd_type(const std::string& filename, const std::string& its_name)
-{
-  std::string name = boost::algorithm::erase_all_copy(lower_case(its_name), " ");
-  const bool has_no_sign = boost::algorithm::starts_with(name, "u");
-  for (const char* const prefix : {"unsigned", "signed", "u"}) {
-    if (boost::algorithm::starts_with(name, prefix)) {
-      name.erase(0, std::string_view(prefix).size());
-      break;
-    }
-  }
-  static const std::map<std::string, std::size_t> sizes{
-      {"char", 1}, {"int8", 1},  {"int8_t", 1},  {"short", 2},    {"shortint", 2},    {"int16", 2}, {"int16_t", 2},
-      {"int", 4},  {"int32", 4}, {"int32_t", 4}, {"longlong", 8}, {"longlongint", 8}, {"int64", 8}, {"int64_t", 8}};
-  if (const auto found = sizes.find(name); found != sizes.end()) {
-    return {has_no_sign ? 'u' : 'i', found->second};
-  }
-  if (name != "float" && name != "double") {
-    fail_in_file(filename, "'" + its_name.substr(0, 40) + "' is not a type of numbers that volumes have",
-                 "write the volume with one from int8 to uint64, float or double");
-  }
-  return {'f', name == "float" ? sizeof(float) : sizeof(double)};
-}
-
 inline void scale_axes(Volume_grid& grid, const Vector3& spacing)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -268,7 +244,12 @@ inline Volume_header read_nrrd_header(const std::string& filename)
     fail_in_file(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
   header.grid.size = lines.counts<3>(lines.value({"sizes"}), "sizes");
-  header.type = nrrd_type(filename, lines.value({"type"}));
+  const std::string type = lines.value({"type"});
+  header.type = number_type(type);
+  if (!header.type.is_valid()) {
+    fail_in_file(filename, "'" + type.substr(0, 40) + "' is not a type of numbers that volumes have",
+                 "write the volume with one from int8 to uint64, float or double");
+  }
   header.order = lines.value({"endian"}) == "big" ? Byte_order::big : Byte_order::little;
   const std::string encoding = lower_case(lines.value({"encoding"}));
   header.is_compressed = encoding == "gzip" || encoding == "gz";
@@ -282,21 +263,6 @@ inline Volume_header read_nrrd_header(const std::string& filename)
     header.data_begin += std::exchange(header.skipped_bytes, 0);
   }
   return header;
-}
-
-inline Number_type meta_image_type(const std::string& filename, const std::string& name)
-{
-  // MET_LONG has 4 bytes in files, whatever it has in memory.
-  static const std::map<std::string, Number_type> types{
-      {"MET_CHAR", {'i', 1}},  {"MET_UCHAR", {'u', 1}},  {"MET_SHORT", {'i', 2}},     {"MET_USHORT", {'u', 2}},
-      {"MET_INT", {'i', 4}},   {"MET_UINT", {'u', 4}},   {"MET_LONG", {'i', 4}},      {"MET_ULONG", {'u', 4}},
-      {"MET_FLOAT", {'f', 4}}, {"MET_DOUBLE", {'f', 8}}, {"MET_LONG_LONG", {'i', 8}}, {"MET_ULONG_LONG", {'u', 8}}};
-  const auto found = types.find(name);
-  if (found == types.end()) {
-    fail_in_file(filename, "'" + name.substr(0, 40) + "' is not an ElementType of one number a voxel",
-                 "write the volume with one from MET_CHAR to MET_DOUBLE");
-  }
-  return found->second;
 }
 
 inline Volume_header read_meta_image_header(const std::string& filename)
@@ -317,7 +283,13 @@ inline Volume_header read_meta_image_header(const std::string& filename)
   }
   Volume_header header;
   header.grid.size = lines.counts<3>(lines.value({"dimsize"}), "DimSize");
-  header.type = meta_image_type(filename, lines.value({"elementtype"}));
+  const std::string type = lines.value({"elementtype"});
+  constexpr std::size_t size_of_long = 4; // in files, whatever it is in memory
+  header.type = number_type(type, size_of_long);
+  if (!header.type.is_valid()) {
+    fail_in_file(filename, "'" + type.substr(0, 40) + "' is not an ElementType of one number a voxel",
+                 "write the volume with one from MET_CHAR to MET_DOUBLE");
+  }
   header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
   if (const std::string matrix = lines.value({"transformmatrix", "rotation", "orientation"}); !matrix.empty()) {

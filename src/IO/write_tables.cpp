@@ -29,21 +29,38 @@ namespace internal {
 
 namespace {
 
-/// Writes a separator and a number; nothing behind the separator if it is not known.
+/// \name Fields of a table
+/// Unknown numbers are empty; a vector has three fields.
+/// @{
+template <class Field>
+void write_field(std::ostream& out, const Field& field)
+{
+  out << field;
+}
 void write_field(std::ostream& out, double number)
 {
-  out << ',';
   if (!std::isnan(number)) {
     out << number;
   }
 }
-
 void write_field(std::ostream& out, const std::optional<std::size_t>& number)
 {
-  out << ',';
   if (number) {
     out << *number;
   }
+}
+void write_field(std::ostream& out, const Vector3& v)
+{
+  out << v.x() << ',' << v.y() << ',' << v.z();
+}
+/// @}
+
+template <class First, class... Others>
+void write_row(std::ostream& out, const First& first, const Others&... others)
+{
+  write_field(out, first);
+  ((out << ',', write_field(out, others)), ...);
+  out << '\n';
 }
 
 } // namespace
@@ -105,15 +122,11 @@ void write_node_table(std::ostream& out, const internal::Skeleton_content& skele
   out << "node,x,y,z,degree,branch,radius,number_of_sites,inscribed_radius,section_area\n";
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
     const Node_measures measured = measures.empty() ? Node_measures() : measures[v];
-    const Vector3& point = skeleton.points[v];
-    out << v << ',' << point.x() << ',' << point.y() << ',' << point.z() << ',' << neighbors[v].size() << ','
-        << branches.branch_of_node[v];
-    internal::write_field(out, skeleton.has_radii() ? skeleton.radii[v] : Skeleton_branch::unknown);
-    internal::write_field(out, skeleton.number_of_vertices.empty() ? std::optional<std::size_t>()
-                                                                   : skeleton.number_of_vertices[v]);
-    internal::write_field(out, measured.inscribed_radius);
-    internal::write_field(out, measured.section_area);
-    out << '\n';
+    const std::optional<std::size_t> number_of_sites =
+        skeleton.number_of_vertices.empty() ? std::optional<std::size_t>() : skeleton.number_of_vertices[v];
+    internal::write_row(out, v, skeleton.points[v], neighbors[v].size(), branches.branch_of_node[v],
+                        skeleton.has_radii() ? skeleton.radii[v] : Skeleton_branch::unknown, number_of_sites,
+                        measured.inscribed_radius, measured.section_area);
   }
   format.finish();
 }
@@ -122,22 +135,14 @@ void write_branch_table(std::ostream& out, const Skeleton_branches& branches)
 {
   internal::Exact_format format(out);
   out << "branch,first_node,last_node,first_end,last_end,number_of_nodes,length,chord,tortuosity,min_radius,mean_"
-         "radius,"
-         "max_radius,first_radius,last_radius,cone_area,cone_volume,surface_area,volume,significance,parent,order,"
-         "limb\n";
-  for (std::size_t b = 0; b < branches.branches.size(); ++b) {
-    const Skeleton_branch& branch = branches.branches[b];
-    out << b << ',' << branch.nodes.front() << ',' << branch.nodes.back() << ',' << name(branch.ends[0]) << ','
-        << name(branch.ends[1]) << ',' << branch.nodes.size();
-    for (const double number : {branch.length, branch.chord, branch.tortuosity(), branch.min_radius, branch.mean_radius,
-                                branch.max_radius, branch.end_radii[0], branch.end_radii[1], branch.cone_area,
-                                branch.cone_volume, branch.surface_area, branch.volume, branch.significance}) {
-      internal::write_field(out, number);
-    }
-    internal::write_field(out, branch.parent);
-    internal::write_field(out, branch.order);
-    internal::write_field(out, branch.limb);
-    out << '\n';
+         "radius,max_radius,first_radius,last_radius,cone_area,cone_volume,surface_area,volume,significance,parent,"
+         "order,limb\n";
+  for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+    const Skeleton_branch& b = branches.branches[i];
+    internal::write_row(out, i, b.nodes.front(), b.nodes.back(), name(b.ends[0]), name(b.ends[1]), b.nodes.size(),
+                        b.length, b.chord, b.tortuosity(), b.min_radius, b.mean_radius, b.max_radius, b.end_radii[0],
+                        b.end_radii[1], b.cone_area, b.cone_volume, b.surface_area, b.volume, b.significance, b.parent,
+                        b.order, b.limb);
   }
   format.finish();
 }
@@ -148,14 +153,9 @@ void write_cylinders(std::ostream& out, const std::vector<Tree_cylinder>& cylind
   out << "radius_m,length_m,start_X,start_Y,start_Z,axis_X,axis_Y,axis_Z,parent,extension,branch,branch_order,"
          "position_in_branch,mad,SurfCov,added,UnmodRadius_m\n";
   const auto from_one = [](const std::optional<std::size_t>& index) { return index ? *index + 1 : 0; };
-  for (const Tree_cylinder& cylinder : cylinders) {
-    out << cylinder.radius << ',' << cylinder.length;
-    for (const Vector3& vector : {cylinder.start, cylinder.axis}) {
-      out << ',' << vector.x() << ',' << vector.y() << ',' << vector.z();
-    }
-    out << ',' << from_one(cylinder.parent) << ',' << from_one(cylinder.extension) << ',' << cylinder.limb + 1 << ','
-        << report.branches[cylinder.limb].order << ',' << cylinder.position + 1 << ",NaN,NaN,0," << cylinder.radius
-        << '\n';
+  for (const Tree_cylinder& c : cylinders) {
+    internal::write_row(out, c.radius, c.length, c.start, c.axis, from_one(c.parent), from_one(c.extension), c.limb + 1,
+                        report.branches[c.limb].order, c.position + 1, "NaN", "NaN", 0, c.radius);
   }
   format.finish();
 }
@@ -165,11 +165,10 @@ void write_correspondence(std::ostream& out, const std::vector<Vertex_label>& la
   internal::Exact_format format(out);
   out << "vertex,node,branch\n";
   for (std::size_t v = 0; v < labels.size(); ++v) {
-    out << v << ',';
     if (labels[v].node != no_index) {
-      out << labels[v].node << ',' << labels[v].branch << '\n';
+      internal::write_row(out, v, labels[v].node, labels[v].branch);
     } else {
-      out << ",\n";
+      internal::write_row(out, v, "", "");
     }
   }
   format.finish();

@@ -47,18 +47,11 @@ struct Joint
   Index to = no_index;
 };
 
-/// A skeleton that replaces the one at hand, and for each of its nodes the node that it was, or `no_index`.
-struct New_skeleton
+void add_edge(Skeleton& skeleton, Index a, Index b, char is_joined)
 {
-  Skeleton skeleton;
-  std::vector<Index> old_nodes;
-
-  void add_edge(Index a, Index b, char is_joined)
-  {
-    skeleton.edges.push_back({a, b});
-    skeleton.is_joined.push_back(is_joined);
-  }
-};
+  skeleton.edges.push_back({a, b});
+  skeleton.is_joined.push_back(is_joined);
+}
 
 /// The two of the ascending `places` around the given one, and its position between them.
 std::pair<std::size_t, double> locate(const std::vector<double>& places, double place)
@@ -78,7 +71,8 @@ public:
   {
     m_result.skeleton = std::move(skeleton);
     m_result.skeleton.is_joined.resize(m_result.skeleton.edges.size(), 0);
-    m_result.origin = m_result.heir = numbers();
+    m_result.skeleton.is_opening.resize(m_result.skeleton.number_of_nodes(), 0);
+    m_result.skeleton.vertices.resize(m_result.skeleton.number_of_nodes());
   }
 
   /// Removes components of less than `least` vertices, except the largest.
@@ -161,8 +155,7 @@ public:
       const Index joined = *next;
       open.erase(next);
       if (best[joined].from != no_index) {
-        m_result.skeleton.edges.push_back({best[joined].from, best[joined].to});
-        m_result.skeleton.is_joined.push_back(1);
+        add_edge(m_result.skeleton, best[joined].from, best[joined].to, 1);
         ++m_result.report.number_of_joined_edges;
       }
       for (const Index c : open) {
@@ -192,14 +185,14 @@ public:
   {
     std::vector<char> is_fixed(skeleton().number_of_nodes(), 0);
     const std::vector<Branch> branches = branches_between_fixed(is_fixed);
-    New_skeleton next;
+    Skeleton next;
     std::vector<Index> heir = numbers();
     for (Index& v : heir) {
       v = is_fixed[v] != 0 ? copy_node(next, v) : no_index;
     }
     for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
       if (skeleton().is_joined[e] != 0) {
-        next.add_edge(heir[skeleton().edges[e][0]], heir[skeleton().edges[e][1]], 1);
+        add_edge(next, heir[skeleton().edges[e][0]], heir[skeleton().edges[e][1]], 1);
       }
     }
     const auto ends_of = [](const Branch& branch) {
@@ -210,7 +203,7 @@ public:
     std::sort(ends.begin(), ends.end());
     for (const Branch& branch : branches) {
       const std::vector<double> place = places(branch, spacing, is_relative);
-      if (!(double(next.old_nodes.size()) + place.back() < max_nodes)) {
+      if (!(double(next.number_of_nodes()) + place.back() < max_nodes)) {
         throw Input_error("the spacing asks for more than ten million nodes: choose a greater one");
       }
       // A cycle has at least three nodes, and of parallel branches only one could do without a node.
@@ -225,7 +218,7 @@ public:
         if (i + 1 < branch.size()) {
           heir[branch[i]] = copy_node(next, branch[i]);
         }
-        next.add_edge(heir[branch[i - 1]], heir[branch[i]], 0);
+        add_edge(next, heir[branch[i - 1]], heir[branch[i]], 0);
       }
     }
     replace(std::move(next), heir);
@@ -234,6 +227,11 @@ public:
   Simplified_skeleton release()
   {
     static_cast<Skeleton_counts&>(m_result.report) = count_skeleton(skeleton());
+    const Neighbors neighbors = node_neighbors(skeleton());
+    for (Index v = 0; v < neighbors.size(); ++v) {
+      char& is_opening = m_result.skeleton.is_opening[v];
+      is_opening = is_opening != 0 && neighbors[v].size() < 2 ? 1 : 0; // a joined end is not an end
+    }
     return std::move(m_result);
   }
 
@@ -279,35 +277,35 @@ private:
     return result;
   }
 
-  Index add_node(New_skeleton& to, const Branch_point& place, Index old_node) const
+  Index add_node(Skeleton& to, const Branch_point& place, char is_opening) const
   {
-    to.skeleton.points.push_back(place.point);
+    to.points.push_back(place.point);
     if (skeleton().has_radii()) {
-      to.skeleton.radii.push_back(place.radius);
+      to.radii.push_back(place.radius);
     }
-    to.old_nodes.push_back(old_node);
-    return Index(to.old_nodes.size() - 1);
+    to.is_opening.push_back(is_opening);
+    to.vertices.emplace_back();
+    return Index(to.number_of_nodes() - 1);
   }
-  Index copy_node(New_skeleton& to, Index v) const { return add_node(to, {point(v), radius(v)}, v); }
+  Index copy_node(Skeleton& to, Index v) const { return add_node(to, {point(v), radius(v)}, skeleton().is_opening[v]); }
 
-  /// \param heir of each node, a node of `next` or `no_index`
-  void replace(New_skeleton&& next, const std::vector<Index>& heir)
+  /// \param heir of each node, the node of `next` that its vertices go to, or `no_index`
+  void replace(Skeleton&& next, const std::vector<Index>& heir)
   {
-    for (Index& v : m_result.heir) {
-      v = v == no_index ? no_index : heir[v];
+    for (Index v = 0; v < heir.size(); ++v) {
+      if (heir[v] != no_index) {
+        const std::vector<Index>& vertices = skeleton().vertices[v];
+        next.vertices[heir[v]].insert(next.vertices[heir[v]].end(), vertices.begin(), vertices.end());
+      }
     }
-    for (Index& v : next.old_nodes) {
-      v = v == no_index ? no_index : m_result.origin[v];
-    }
-    m_result.origin = std::move(next.old_nodes);
-    m_result.skeleton = std::move(next.skeleton);
+    m_result.skeleton = std::move(next);
   }
 
   /// Keeps the nodes that are their own heirs, and the edges of `is_kept` between such.
   /// \param heir of each node, which is kept; or `no_index`
   void keep(std::vector<Index> heir, const std::vector<char>& is_kept)
   {
-    New_skeleton next;
+    Skeleton next;
     std::vector<Index> number(heir.size(), no_index);
     for (Index v = 0; v < heir.size(); ++v) {
       number[v] = heir[v] == v ? copy_node(next, v) : no_index;
@@ -315,7 +313,7 @@ private:
     for (std::size_t e = 0; e < is_kept.size(); ++e) {
       const auto& [a, b] = skeleton().edges[e];
       if (is_kept[e] != 0 && number[a] != no_index && number[b] != no_index) {
-        next.add_edge(number[a], number[b], skeleton().is_joined[e]);
+        add_edge(next, number[a], number[b], skeleton().is_joined[e]);
       }
     }
     for (Index& v : heir) {
@@ -427,7 +425,7 @@ private:
   }
 
   /// Replaces a branch by one of evenly spaced nodes; its ends are in `next` already.
-  void resample(const Branch& branch, const std::vector<double>& place, std::size_t parts, New_skeleton& next,
+  void resample(const Branch& branch, const std::vector<double>& place, std::size_t parts, Skeleton& next,
                 std::vector<Index>& heir) const
   {
     std::vector<double> samples;
@@ -439,11 +437,11 @@ private:
     }
     std::vector<Index> nodes{heir[branch.front()]};
     for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-      nodes.push_back(add_node(next, point_at(branch, place, samples[i]), no_index));
+      nodes.push_back(add_node(next, point_at(branch, place, samples[i]), 0));
     }
     nodes.push_back(heir[branch.back()]);
     for (std::size_t i = 1; i < nodes.size(); ++i) {
-      next.add_edge(nodes[i - 1], nodes[i], 0);
+      add_edge(next, nodes[i - 1], nodes[i], 0);
     }
     for (std::size_t i = 1; i + 1 < branch.size(); ++i) {
       const auto [edge, t] = locate(samples, place[i]);
@@ -521,23 +519,9 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification
   std::transform(skeleton.vertices.begin(), skeleton.vertices.end(), number_of_vertices.begin(),
                  [](const std::vector<Index>& its) { return its.size(); });
   Simplified_skeleton simplified = simplify_skeleton(Skeleton(skeleton), number_of_vertices, parameters, solid);
-  Skeleton& result = simplified.skeleton;
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(result);
-  for (std::size_t v = 0; v < neighbors.size(); ++v) {
-    const Index origin = simplified.origin[v];
-    const bool was_opening = origin != no_index && !skeleton.is_opening.empty() && skeleton.is_opening[origin] != 0;
-    result.is_opening.push_back(was_opening && neighbors[v].size() < 2 ? 1 : 0); // a joined end is not an end
-  }
-  result.vertices.resize(neighbors.size());
-  for (std::size_t v = 0; v < skeleton.vertices.size(); ++v) {
-    if (const Index heir = simplified.heir[v]; heir != no_index) {
-      std::vector<Index>& vertices = result.vertices[heir];
-      vertices.insert(vertices.end(), skeleton.vertices[v].begin(), skeleton.vertices[v].end());
-    }
-  }
-  result.significance = significance_levels(result);
-  result.separators = std::move(skeleton.separators);
-  skeleton = std::move(result);
+  simplified.skeleton.significance = significance_levels(simplified.skeleton);
+  simplified.skeleton.separators = std::move(skeleton.separators);
+  skeleton = std::move(simplified.skeleton);
   return simplified.report;
 }
 

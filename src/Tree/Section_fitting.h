@@ -233,8 +233,6 @@ private:
   static constexpr std::size_t direction_reach = 2;
   /// The slices to either side whose offsets from centroids to centers are averaged.
   static constexpr std::size_t offset_reach = 3;
-  /// How far from the joint there is bark of the parent, relative to its radius.
-  static constexpr double crotch = 2;
   /// The radius of a limb relative to that of its parent.
   static constexpr double max_of_parent = 1.1;
   /// The least part of the squared scatter of points that remains when the scatter of the noise is subtracted.
@@ -425,10 +423,9 @@ private:
       double mean() const { return sum / weight; }
     };
     std::vector<Pool> pools;
-    const std::size_t base = number_in_crotch(limb);
-    for (std::size_t i = base; i < limb.slices.size(); ++i) {
-      const Section& section = m_sections[limb.slices[i]];
-      if (!pools.empty() && section.is_rough && m_slices[limb.slices[i]].points.size() < min_scatter_points) {
+    for (const Index slice : limb.slices) {
+      const Section& section = m_sections[slice];
+      if (!pools.empty() && section.is_rough && m_slices[slice].points.size() < min_scatter_points) {
         ++pools.back().size; // nothing is known of it
         continue;
       }
@@ -441,7 +438,6 @@ private:
         pools.back().size += last.size;
       }
     }
-    pools.front().size += base;
     std::size_t i = 0;
     for (const Pool& pool : pools) {
       for (std::size_t k = 0; k < pool.size; ++k) {
@@ -452,22 +448,6 @@ private:
         m_sections[limb.slices[i++]].radius = radius;
       }
     }
-  }
-
-  /// The first sections of a limb, up to the last but one, that are so near its joint that there is bark of the parent
-  /// among their points.
-  std::size_t number_in_crotch(const Tree_limb& limb) const
-  {
-    if (limb.joint == no_index) {
-      return 0;
-    }
-    const Section& joint = m_sections[limb.joint];
-    std::size_t number = 0;
-    while (number + 1 < limb.slices.size() &&
-           (m_sections[limb.slices[number]].center - joint.center).norm() < crotch * joint.radius) {
-      ++number;
-    }
-    return number;
   }
 
   const std::vector<Vector3>& m_points;

@@ -19,43 +19,6 @@
 
 namespace CSCD {
 
-/// Where the corners of each polygon begin, and at last their number: a vector that takes no memory as long as all
-/// polygons are triangles: it would be a quarter of the file.
-class Corner_offsets
-{
-public:
-  Corner_offsets() = default;
-  /// The offsets of triangles.
-  explicit Corner_offsets(std::size_t number_of_triangles) : m_size(number_of_triangles + 1) {}
-
-  /// One more than there are polygons.
-  std::size_t size() const { return m_size; }
-  /// Where the corners of a polygon begin.
-  std::size_t operator[](std::size_t polygon) const { return are_triangles() ? 3 * polygon : m_offsets[polygon]; }
-  /// Where the corners of the last polygon end.
-  std::size_t back() const { return (*this)[m_size - 1]; }
-  /// Whether all polygons are triangles.
-  bool are_triangles() const { return m_offsets.empty(); }
-
-  /// Ends a polygon whose corners end at `offset`.
-  void push_back(std::size_t offset)
-  {
-    if (are_triangles() && offset != 3 * m_size) {
-      for (std::size_t i = 0; i < m_size; ++i) {
-        m_offsets.push_back(3 * i);
-      }
-    }
-    if (!are_triangles()) {
-      m_offsets.push_back(offset);
-    }
-    ++m_size;
-  }
-
-private:
-  std::size_t m_size = 1;
-  std::vector<std::size_t> m_offsets; // empty if all are triangles
-};
-
 /// Points, polygons and lines as they stand in a file, in flat arrays.
 struct Shape_file
 {
@@ -68,7 +31,7 @@ struct Shape_file
   /// The corners of all polygons, one polygon after the other, as indices into `points`.
   std::vector<Index> corners;
   /// Where each polygon's corners begin in `corners`, and at last their number.
-  Corner_offsets first_corner;
+  std::vector<std::size_t> first_corner{0};
   /// The ends of segments, as indices into `points`; not checked yet.
   std::vector<std::array<std::int64_t, 2>> lines;
   /// Those of `lines` that were added to join components, in any order and direction.

@@ -10,14 +10,9 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector3.h>
 
-#include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
 #include <istream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,35 +26,18 @@ bool is_graph_filename(const std::string& filename);
 /// The skeleton that was read from a file of such.
 Skeleton to_skeleton(Shape_file&& shape);
 
-/// Replaces `skeleton` by a graph of the nodes and edges of a file, in their order. \return whether there are radii
-template <class Skeleton>
-bool convert_to_skeleton(Shape_file&& shape, Skeleton& skeleton)
+/// Replaces `graph` by one of the nodes and edges of a file, in their order. \return whether there are radii
+template <class Graph>
+bool convert_to_skeleton(Shape_file&& shape, Graph& graph)
 {
-  const CSCD::Skeleton indexed = to_skeleton(std::move(shape));
-  Skeleton result;
-  std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> nodes;
-  for (std::size_t v = 0; v < indexed.number_of_nodes(); ++v) {
-    nodes.push_back(add_vertex(result));
-    auto& node = result[nodes.back()];
-    node.point = make_point<std::decay_t<decltype(node.point)>>(indexed.points[v]);
-    if constexpr (has_radius_v<Skeleton>) {
-      node.radius = indexed.has_radii() ? indexed.radii[v] : 0;
-    }
+  Skeleton skeleton = to_skeleton(std::move(shape));
+  const bool has_radii = skeleton.has_radii();
+  if (!has_radii) {
+    skeleton.radii.assign(skeleton.number_of_nodes(), 0.);
   }
-  if constexpr (has_is_opening_v<Skeleton>) {
-    for (std::size_t v = 0; v < indexed.is_opening.size(); ++v) {
-      result[nodes[v]].is_opening = indexed.is_opening[v] != 0;
-    }
-  }
-  for (std::size_t e = 0; e < indexed.edges.size(); ++e) {
-    [[maybe_unused]] const auto edge = add_edge(nodes[indexed.edges[e][0]], nodes[indexed.edges[e][1]], result).first;
-    if constexpr (has_is_joined_v<Skeleton>) {
-      result[edge].is_joined = indexed.is_joined[e] != 0;
-    }
-  }
-  compute_significance(result);
-  skeleton = std::move(result);
-  return indexed.has_radii();
+  skeleton.significance = significance_levels(skeleton);
+  graph = make_skeleton_graph<Graph>(skeleton, std::vector<Skeleton_descriptor<Graph>>());
+  return has_radii;
 }
 
 } // namespace internal

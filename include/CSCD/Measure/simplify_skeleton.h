@@ -9,18 +9,15 @@
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <cstddef>
-#include <iterator>
 #include <type_traits>
 #include <vector>
 
@@ -49,12 +46,10 @@ struct Simplification_parameters
   double spacing_over_radius = 0;
 };
 
-/// A simplified skeleton and where it comes from.
+/// A simplified skeleton, with the vertices of the input and openings, but without significances.
 struct Simplified_skeleton
 {
   Skeleton skeleton;
-  std::vector<Index> origin; ///< of each node: the node that it was, or `no_index` for a new one
-  std::vector<Index> heir;   ///< of each node that was: which node its vertices go to; `no_index` if to none
   Simplification_report report;
 };
 
@@ -90,68 +85,22 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
   return result;
 }
 
-/// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with all other properties.
-template <class Skeleton>
-Skeleton to_simplified_graph(const Skeleton& skeleton, const CSCD::Skeleton& before,
-                             const Simplified_skeleton& simplified)
+template <class Graph, class NamedParameters>
+Simplification_report simplify_skeleton(Graph& graph, const Triangulated_solid* solid, const NamedParameters& np)
 {
-  const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> old_nodes(vertices(skeleton).first,
-                                                                                         vertices(skeleton).second);
-  Skeleton result;
-  std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> nodes;
-  [[maybe_unused]] const std::vector<std::vector<Index>> neighbors = node_neighbors(simplified.skeleton);
-  for (Index v = 0; v < simplified.skeleton.number_of_nodes(); ++v) {
-    nodes.push_back(add_vertex(result));
-    auto& node = result[nodes.back()];
-    const Index origin = simplified.origin[v];
-    const Vector3& point = simplified.skeleton.points[v];
-    if (origin != no_index) {
-      node = skeleton[old_nodes[origin]];
-      node.vertices.clear();
-    }
-    if (origin == no_index || point != before.points[origin]) {
-      node.point = make_point<std::decay_t<decltype(node.point)>>(point);
-    }
-    if constexpr (has_radius_v<Skeleton>) {
-      node.radius = simplified.skeleton.radii[v];
-    }
-    if constexpr (has_is_opening_v<Skeleton>) {
-      node.is_opening = node.is_opening && neighbors[v].size() < 2; // a joined end is not an end
+  check_curve_skeleton_graph<Graph>();
+  Skeleton skeleton = index_skeleton(graph);
+  std::vector<Skeleton_descriptor<Graph>> descriptors;
+  for (const auto node : boost::make_iterator_range(vertices(graph))) {
+    std::vector<Index>& numbers = skeleton.vertices.emplace_back();
+    for (const auto& descriptor : graph[node].vertices) {
+      numbers.push_back(Index(descriptors.size()));
+      descriptors.push_back(descriptor);
     }
   }
-  for (std::size_t v = 0; v < old_nodes.size(); ++v) {
-    if (simplified.heir[v] != no_index) {
-      for (const auto& descriptor : skeleton[old_nodes[v]].vertices) {
-        result[nodes[simplified.heir[v]]].vertices.push_back(descriptor);
-      }
-    }
-  }
-  for (std::size_t e = 0; e < simplified.skeleton.edges.size(); ++e) {
-    const auto& [source, target] = simplified.skeleton.edges[e];
-    [[maybe_unused]] const auto edge = add_edge(nodes[source], nodes[target], result).first;
-    if constexpr (has_is_joined_v<Skeleton>) {
-      result[edge].is_joined = simplified.skeleton.is_joined[e] != 0;
-    }
-  }
-  compute_significance(result);
-  return result;
-}
-
-template <class Skeleton, class NamedParameters>
-Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_solid* solid, const NamedParameters& np)
-{
-  check_curve_skeleton_graph<Skeleton>();
-  const Simplification_parameters parameters = simplification_parameters(np);
-  std::vector<std::size_t> number_of_vertices;
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    const auto& sites = skeleton[node].vertices;
-    number_of_vertices.push_back(std::size_t(std::distance(std::begin(sites), std::end(sites))));
-  }
-  const CSCD::Skeleton before = index_skeleton(skeleton);
-  const Simplified_skeleton simplified =
-      internal::simplify_skeleton(CSCD::Skeleton(before), number_of_vertices, parameters, solid);
-  skeleton = to_simplified_graph(skeleton, before, simplified);
-  return simplified.report;
+  const Simplification_report report = simplify_skeleton(skeleton, simplification_parameters(np), solid);
+  graph = make_skeleton_graph<Graph>(skeleton, descriptors);
+  return report;
 }
 
 } // namespace internal
@@ -173,7 +122,8 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 /// anew. Each of the steps up to the third, alone, changes nothing when it is repeated. O(n log n) for n nodes.
 ///
 /// \tparam Skeleton a model of `CurveSkeletonGraph`, its points constructible from three coordinates
-/// \param skeleton is replaced; if the function throws, it is as it was
+/// \param skeleton is replaced, with the properties that the concept knows and no others; if the function throws, it is
+///        as it was
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
