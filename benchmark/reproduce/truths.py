@@ -71,7 +71,7 @@ class Model:
         return np.concatenate([self.array(primitive["attributes"]["POSITION"]) for _, primitive in self.primitives()])
 
     def joints(self, least_weight):
-        """The places of joints that move a vertex with at least this weight, and the pairs of a joint and its parent."""
+        """The places of joints that move a vertex by at least this weight, and the pairs of a parent and a joint."""
         weights = collections.defaultdict(float)
         for node, primitive in self.primitives():
             joints, attributes = self.json["skins"][node["skin"]]["joints"], primitive["attributes"]

@@ -217,11 +217,8 @@ private:
   Rig::Influences influences_on(Index target, const Vector3& point) const
   {
     const Index source = m_forest.parent(target);
-    const Vector3 along = m_skeleton.points[target] - m_skeleton.points[source];
-    const double length = along.norm();
-    const double behind_source =
-        length > 0 ? std::clamp((point - m_skeleton.points[source]).dot(along) / length, 0., length) : 0;
-    const double place = m_distance[source] + behind_source;
+    const double share_of_edge = nearest_parameter(point, m_skeleton.points[source], m_skeleton.points[target]);
+    const double place = m_distance[source] + share_of_edge * m_skeleton.length({source, target});
     const Index before = m_owner[source];
     const Index behind = m_next[target];
     const double behind_share = m_joints[behind].is_tip ? 0 : share(behind, place - m_distance[m_joints[behind].node]);

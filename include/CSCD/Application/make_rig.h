@@ -72,7 +72,7 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 /// own, and along limbs at even distances: every 0.06 of the size of the body, but at most five. Cycles are cut where
 /// they are thinnest.
 ///
-/// Where one of several components holds nine tenths of the volume and of an ellipsoid, as the body of a fish beside
+/// Where one of several components holds nine tenths of the volume and of an ellipsoid, as the body of a fish with
 /// fins and eyes, there are seven joints on a straight spine: through its center, along the longest side of the box
 /// around all components.
 ///
