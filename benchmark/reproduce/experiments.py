@@ -19,7 +19,7 @@ import tempfile
 
 import tables
 from programs import Failure, Laboratory, read_off, run
-from tables import NOTHING, ROOT, count, markdown, runs_of
+from tables import NOTHING, ROOT, count, markdown
 
 QUOTED = json.loads((pathlib.Path(__file__).parent / "quoted_results.json").read_text())
 

@@ -11,7 +11,6 @@ Seconds are those of the processor; errors are in thousandths of the diagonal of
 import argparse
 import concurrent.futures
 import csv
-import math
 import os
 import pathlib
 import re
@@ -20,12 +19,12 @@ import statistics
 import tempfile
 
 from programs import Failure, Laboratory, turns
+from tables import markdown
 
 ENDINGS = (".off", ".obj", ".ply", ".stl")
-TEXTS = ("set", "shape", "half", "failure")
-COLUMNS = TEXTS + ("vertices", "surface_components", "components", "genus", "betti_number", "borders", "nodes", "edges",
-                   "nodes_outside", "edges_outside", "inside", "cone", "convolution", "offset", "deviation",
-                   "turns_above_90", "tips", "limbs", "limbs_without_tip", "tips_without_limb", "seconds")
+COLUMNS = ("set", "shape", "half", "failure", "vertices", "surface_components", "components", "genus", "betti_number",
+           "borders", "nodes", "edges", "nodes_outside", "edges_outside", "inside", "cone", "convolution", "offset",
+           "deviation", "turns_above_90", "tips", "limbs", "limbs_without_tip", "tips_without_limb", "seconds")
 HALVES = ("all", "odd", "even")
 
 
@@ -60,7 +59,7 @@ def measure(options, name_of_set, mesh, number):
             "nodes_outside": report.get("number_of_nodes_outside"),
             "edges_outside": report.get("number_of_edges_outside"),
             "inside": position["fraction_of_length_inside"], "offset": position["offset_by_length"],
-            "deviation": position["deviation_by_length"], 
+            "deviation": position["deviation_by_length"],
             "turns_above_90": sum(angle > 90 for angle in angles), "tips": counts["number_of_tips"],
             "limbs": limbs.get("number_of_limbs"), "limbs_without_tip": limbs.get("number_of_limbs_without_tip"),
             "tips_without_limb": limbs.get("number_of_tips_without_limb"), "seconds": cost.cpu}
@@ -71,12 +70,6 @@ def write_rows(path, rows):
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-
-
-def read_rows(path):
-    with pathlib.Path(path).open(newline="") as file:
-        return [{key: text or None if key in TEXTS else float(text) if text else None for key, text in row.items()}
-                for row in csv.DictReader(file)]
 
 
 def with_all(rows, *columns):
@@ -130,72 +123,21 @@ MEASURES = (
     ("tip precision", lambda rows: rate(rows, "tips_without_limb", "tips")),
     ("CPU seconds, mean", lambda rows: folded(statistics.fmean, rows, "seconds", 3)),
 )
-COMPARED_BY_RATIO = ("cone", "convolution", "offset", "deviation", "seconds")
-COMPARED_BY_SUM = ("nodes_outside", "edges_outside", "turns_above_90", "tips", "limbs_without_tip", "tips_without_limb")
 
 
-def aligned(lines):
-    """Lines of a table: the first column flush left, the others flush right."""
-    widths = [max(map(len, column)) for column in zip(*lines)]
-    return ["  ".join([line[0].ljust(widths[0]), *(text.rjust(width) for text, width in zip(line[1:], widths[1:]))])
-            for line in lines]
-
-
-def table(title, rows, lines):
-    """A column for all rows, and one for each half. `lines` are labels and functions of the rows of a column."""
+def table(title, rows):
+    """A column for all rows, and one for each half."""
     by_half = [[row for row in rows if half in ("all", row["half"])] for half in HALVES]
-    return aligned([[title, *HALVES], ["shapes", *(str(len(half)) for half in by_half)],
-                    *([label, *map(text_of, by_half)] for label, text_of in lines)])
+    return markdown([title, *HALVES], [["shapes", *(str(len(half)) for half in by_half)],
+                                       *([label, *map(text_of, by_half)] for label, text_of in MEASURES)])
 
 
 def table_of_set(name, rows):
     failures = [f"not measured: {row['shape']}: {row['failure']}" for row in rows if row.get("failure")]
     rows = [row for row in rows if not row.get("failure")]
     wrong = [row["shape"] for row in closed(rows) if row["betti_number"] != row["genus"]]
-    return table(name, rows, MEASURES) + failures + [f"Betti number is not the genus: {' '.join(wrong)}"] * bool(wrong)
-
-
-def ratios(pairs, column):
-    """The quotients after / before of a column, by shape, where both are positive."""
-    return {before["shape"]: after[column] / before[column] for before, after in pairs
-            if (before.get(column) or 0) > 0 and (after.get(column) or 0) > 0}
-
-
-def table_of_comparison(before, after):
-    """The changes on the shapes of a set that are in both measurements."""
-    old = {row["shape"]: row for row in before if not row.get("failure")}
-    rows = [{"half": row["half"], "pair": (old[row["shape"]], row)} for row in after
-            if not row.get("failure") and row["shape"] in old]
-
-    def ratio(column):
-        def text_of(rows):
-            found = ratios([row["pair"] for row in rows], column).values()
-            return f"{math.exp(statistics.fmean(map(math.log, found))):.3f}, {max(found):.2f}" if found else "-"
-        return text_of
-
-    def sums(column):
-        def text_of(rows):
-            pairs = [pair for pair in (row["pair"] for row in rows) if len(with_all(pair, column)) == 2]
-            return " -> ".join(f"{sum(pair[side][column] for pair in pairs):.0f}" for side in (0, 1))
-        return text_of
-
-    lines = table("after / before: geometric mean, worst; sums", rows,
-                  [(column, ratio(column)) for column in COMPARED_BY_RATIO]
-                  + [(column, sums(column)) for column in COMPARED_BY_SUM])
-    grown = sorted(ratios([row["pair"] for row in rows], "cone").items(), key=lambda item: -item[1])
-    return lines + ["cone, most grown: " + " ".join(f"{shape} {ratio:.2f}" for shape, ratio in grown[:10]),
-                    "cone, most shrunk: " + " ".join(f"{shape} {ratio:.2f}" for shape, ratio in grown[:-11:-1])]
-
-
-def report(rows, before=None):
-    """All tables of the rows of any number of sets, compared with the rows of another measurement if given."""
-    blocks = []
-    for name in dict.fromkeys(row["set"] for row in rows):
-        of_set = [row for row in rows if row["set"] == name]
-        blocks.append(table_of_set(name, of_set))
-        if before is not None:
-            blocks.append(table_of_comparison([row for row in before if row["set"] == name], of_set))
-    return "\n\n".join("\n".join(block) for block in blocks)
+    return "\n\n".join([table(name, rows), *failures,
+                        *[f"Betti number is not the genus: {' '.join(wrong)}"] * bool(wrong)])
 
 
 def main():
@@ -210,7 +152,6 @@ def main():
     parser.add_argument("--timeout", type=float, default=120, metavar="SECONDS", help="of each program; by default 120")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="shapes at once")
     parser.add_argument("--output", metavar="CSV", help="where the measures of each shape are written")
-    parser.add_argument("--compare", metavar="CSV", help="what --output has written, to be compared with")
     options = parser.parse_args()
     tasks = []
     for folder in options.folders or [options.build / "cgal_data/data/meshes"]:
@@ -219,12 +160,12 @@ def main():
             number = number_of(mesh.stem, position)
             if options.half in ("all", "odd" if number % 2 else "even") and number % options.every == 0:
                 tasks.append((name, mesh, number))
-    before = read_rows(options.compare) if options.compare else None
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as executor:
         rows = list(executor.map(lambda task: measure(options, *task), tasks))
     if options.output:
         write_rows(options.output, rows)
-    print(report(rows, before))
+    for name in dict.fromkeys(row["set"] for row in rows):
+        print(table_of_set(name, [row for row in rows if row["set"] == name]), end="\n\n")
 
 
 if __name__ == "__main__":

@@ -13,13 +13,16 @@
 # graphs        likewise
 # trees         scans in XYZ format
 # compile_time
-# volumes       a folder that gets the volumes, about 400 MB; optionally the size of the largest
+# volumes       a folder that gets the volumes, about 100 MB
+# connectomics  the volume of Kimimaro's benchmark, decoded: see truths.py
+# rigs          quaternius-showcase/public/glb; the table is in doc/applications.md
+# vessels       OpenCCO/ExpeIPOL
 # applications  PRINCETON [TOSCA [FAUST]]: see applications.py
 # quality       folders of meshes; by default CGAL's
 # pictures                            pictures of all pages
 #
 # Options of the first seven: --write replaces the tables in the pages and in README.md; --repetitions N, by default 3,
-# is for what is timed; --quick measures little, as a test of the scripts. applications.py and quality.py have others.
+# is for timed programs; --quick measures little, as a test of the scripts. applications.py and quality.py have others.
 
 set -euo pipefail
 
@@ -36,13 +39,16 @@ declare -A targets=(
   [trees]=measure_trees
   [compile_time]=
   [volumes]=cscd
+  [connectomics]=cscd
+  [rigs]=cscd
+  [vessels]=cscd
   [applications]="cscd measure_applications"
   [quality]=cscd
   [pictures]="cscd mcf_skeleton cut_locus_example point_cut_locus_example"
 )
 name=${1:-}
 if [[ -z ${targets[$name]+is_set} ]]; then
-  sed -n '6,22s/^# \?//p' "$0" >&2
+  sed -n '6,25s/^# \?//p' "$0" >&2
   exit 1
 fi
 shift
@@ -52,6 +58,7 @@ build_benchmarks "${programs[@]}" >&2
 export PYTHONPATH=$source_dir/benchmark PYTHONDONTWRITEBYTECODE=1
 scripts=$source_dir/benchmark/reproduce
 case $name in
+  connectomics | rigs | vessels) exec /usr/bin/python3 "$scripts/truths.py" "$build_dir" "$name" "$@" ;;
   volumes | applications | quality) exec /usr/bin/python3 "$scripts/$name.py" "$build_dir" "$@" ;;
   pictures)
     install_packages chromium python3-matplotlib python3-pil

@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Skeletons of volumes: Betti numbers of generated shapes at three resolutions, center lines and radii of a generated
-vessel tree, time and memory of a volume with many labels, beside the thinning of scikit-image where it is installed.
+"""Skeletons of volumes: Betti numbers of generated shapes at three resolutions, center lines and radii of generated
+vessel trees, next to the thinning of scikit-image where it is installed.
 
-Usage: volumes.py BUILD FOLDER [SIZE_OF_LABELS], by default 512
-FOLDER gets the volumes.
+Usage: volumes.py BUILD FOLDER, which gets the volumes
 """
 
 import math
@@ -15,7 +14,7 @@ import time
 
 import numpy as np
 
-from programs import Laboratory, run
+from programs import Laboratory
 from tables import markdown
 
 RESOLUTIONS = (48, 96, 160)  # voxels along each side
@@ -208,57 +207,12 @@ def vessel_errors(skeleton, segments, size):
               for number in (values.mean(), np.quantile(values, 0.95)))]
 
 
-def lattice_of_vessels(size, rng):
-    """A hundred trees of vessels in the cells of a lattice, which overlap: the first label that comes stays."""
-    image = np.zeros((size, size, size), np.uint16)
-    cell = size // 4
-    for label in range(1, 101):
-        place = np.array([(label - 1) % 5 / 5, (label - 1) // 5 % 5 / 5, (label - 1) // 25 / 4])
-        part = Tube([(a, b, 1.6 * r) for a, b, r in vessel_tree(3, rng)]).fill(cell)
-        x, y, z = (place * size).astype(int)
-        target = image[z : z + cell, y : y + cell, x : x + cell]
-        source = part[: target.shape[0], : target.shape[1], : target.shape[2]]
-        target[(source > 0) & (target == 0)] = label
-    return image
-
-
-def ellipsoids(size, rng):
-    """A hundred ellipsoids at random places."""
-    image = np.zeros((size, size, size), np.uint16)
-    reach = int(0.088 * size)
-    for label in range(1, 101):
-        center = rng.uniform(reach, size - reach, 3)
-        axes = rng.uniform(0.04, 0.082, 3) * size
-        low = (center - reach).astype(int)
-        indices = np.meshgrid(*(np.arange(i, i + 2 * reach) for i in low), indexing="ij")
-        inside = sum(((indices[i] - center[i]) / axes[i]) ** 2 for i in range(3)) < 1
-        target = image[tuple(slice(i, i + 2 * reach) for i in low)]
-        target[inside & (target == 0)] = label
-    return image
-
-
-def measure_labels(lab, folder, size):
-    rows = []
-    for name, make in (("trees of vessels", lattice_of_vessels), ("ellipsoids", ellipsoids)):
-        image = make(size, np.random.default_rng(RNG_SEED))
-        write_nrrd(folder / "labels.nrrd", image)
-        number = int((image > 0).sum())
-        del image
-        _, cost = run(lab.cscd, "skeletonize", folder / "labels.nrrd", "--all-labels", "-o", folder / "label.graph",
-                      "--quiet")
-        rows.append([name, f"{number / 1e6:.1f} million", f"{cost.wall:.1f}", f"{cost.cpu:.1f}",
-                     f"{cost.megabytes:.0f}"])
-    print(markdown([f"a hundred labels in {size}³", "voxels in bodies", "s", "CPU s", "MB"], rows))
-
-
 def main():
-    if len(sys.argv) < 3:
+    if len(sys.argv) != 3:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    lab = Laboratory(pathlib.Path(sys.argv[1]) / "bin", folder)
-    measure_shapes(lab, folder)
-    measure_labels(lab, folder, int(sys.argv[3]) if len(sys.argv) > 3 else 512)
+    measure_shapes(Laboratory(pathlib.Path(sys.argv[1]) / "bin", folder), folder)
 
 
 if __name__ == "__main__":

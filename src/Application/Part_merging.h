@@ -8,8 +8,6 @@
 
 #include <CSCD/Vector3.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -202,17 +200,19 @@ private:
 
   Vicinity vicinity(const Part& part, const Vector3& center, double radius) const
   {
+    const double reach = vicinity_reach * radius;
+    const double reach_of_junction = junction_reach * radius;
     Vicinity result;
     double area = 0;
     for (const Index s : part.slices) {
       const Surface_slice& slice = m_graph.slices[s];
       const double squared_distance = (slice.point - center).squaredNorm();
-      if (squared_distance < CGAL::square(vicinity_reach * radius)) {
+      if (squared_distance < reach * reach) {
         area += slice.area;
         result.center += slice.area * slice.point;
         result.log_diameter += slice.area * slice.log_diameter;
         result.has_junction =
-            result.has_junction || (slice.is_at_junction && squared_distance < CGAL::square(junction_reach * radius));
+            result.has_junction || (slice.is_at_junction && squared_distance < reach_of_junction * reach_of_junction);
       }
     }
     if (area > 0) {

@@ -12,13 +12,17 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
+#include <CSCD/internal/principal_axes.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -64,7 +68,7 @@ private:
   /// ... and the number of parts of a limb. Both are near those of artists on 57 animals, people and machines.
   static constexpr double max_number_of_parts = 6;
   /// Where the first joint of a limb is, in radii of the junction that the limb begins at.
-  static constexpr double start_over_radius = 0.5;
+  static constexpr double start_over_radius = 0.25;
 
   /// Whether chains begin or end at `node`.
   bool is_end(const Rooted_forest& forest, Index node) const
@@ -213,11 +217,8 @@ private:
   Rig::Influences influences_on(Index target, const Vector3& point) const
   {
     const Index source = m_forest.parent(target);
-    const Vector3 along = m_skeleton.points[target] - m_skeleton.points[source];
-    const double length = along.norm();
-    const double behind_source =
-        length > 0 ? std::clamp((point - m_skeleton.points[source]).dot(along) / length, 0., length) : 0;
-    const double place = m_distance[source] + behind_source;
+    const double share_of_edge = nearest_parameter(point, m_skeleton.points[source], m_skeleton.points[target]);
+    const double place = m_distance[source] + share_of_edge * m_skeleton.length({source, target});
     const Index before = m_owner[source];
     const Index behind = m_next[target];
     const double behind_share = m_joints[behind].is_tip ? 0 : share(behind, place - m_distance[m_joints[behind].node]);
@@ -329,14 +330,156 @@ Skeleton join_components(const Skeleton& skeleton)
   return simplify_skeleton(Skeleton(skeleton), {}, parameters, nullptr).skeleton;
 }
 
-/// The largest side of the box of `points`.
-double size_of(const std::vector<Vector3>& points)
+Bounding_box box_of(const std::vector<Vector3>& points)
 {
   Bounding_box box;
   for (const Vector3& point : points) {
     box.extend(point);
   }
-  return (box.max() - box.min()).maxCoeff();
+  return box;
+}
+
+/// Integrals over a solid of 1, of the position, and of its square, about some origin.
+struct Solid_moments
+{
+  double volume = 0;
+  Vector3 first = Vector3::Zero();
+  Moment_matrix second{};
+
+  /// Adds the tetrahedron between the origin and a triangle.
+  void add(const Vector3& a, const Vector3& b, const Vector3& c)
+  {
+    const double its_volume = a.dot(b.cross(c)) / 6;
+    const Vector3 sum = a + b + c;
+    volume += its_volume;
+    first += its_volume / 4 * sum;
+    for (const Vector3& vector : {sum, a, b, c}) {
+      second += Moment_matrix::product(its_volume / 20 * vector, vector);
+    }
+  }
+
+  /// The volume over the volume of the ellipsoid that has the same second moments about its center: at most 1.
+  double share_of_ellipsoid() const
+  {
+    constexpr double ball = 4 * boost::math::double_constants::pi / 3; // volume at radius 1, ...
+    constexpr double moment = 1. / 5;                                  // ... and mean square of a coordinate
+    const Moment_matrix square = (second - Moment_matrix::product(first / volume, first)) / (moment * volume);
+    const double determinant = square.columns[0].dot(square.columns[1].cross(square.columns[2]));
+    return std::abs(volume) / (ball * std::sqrt(determinant));
+  }
+};
+
+/// What joints are placed on, and the node of each vertex.
+struct Rig_axis
+{
+  Skeleton skeleton; ///< in one piece
+  std::vector<Index> node_of_vertex;
+  std::vector<Index> branch_of_node; ///< `no_index` along a spine
+  Index root = no_index;
+};
+
+/// The part of each node, as one of its nodes.
+std::vector<Index> parts_of_nodes(const Skeleton& skeleton)
+{
+  Disjoint_sets sets(skeleton.number_of_nodes());
+  for (const auto& [a, b] : skeleton.edges) {
+    sets.join(a, b);
+  }
+  std::vector<Index> result(skeleton.number_of_nodes());
+  for (Index node = 0; node < result.size(); ++node) {
+    result[node] = sets.find(node);
+  }
+  return result;
+}
+
+/// The part that is the body of a fish, the other ones being its fins and eyes: it is compact, and nearly all of the
+/// volume. No part of other shapes.
+/// \param moments of each part, about the node that stands for it
+Index find_body_with_fins(const std::vector<Solid_moments>& moments)
+{
+  constexpr double min_share_of_volume = 0.9;    // fish have 0.92 to 0.98, a spider 0.89
+  constexpr double min_share_of_ellipsoid = 0.9; // fish have 0.93 to 0.97, animals with limbs at most 0.85
+  const auto volume = [](const Solid_moments& its) { return std::abs(its.volume); };
+  const auto body = std::max_element(moments.begin(), moments.end(),
+                                     [&](const auto& a, const auto& b) { return volume(a) < volume(b); });
+  const double sum = std::accumulate(moments.begin(), moments.end(), 0.,
+                                     [&](double before, const auto& its) { return before + volume(its); });
+  const double share = volume(*body) / sum;
+  const bool is_found =
+      share >= min_share_of_volume && share < 1 && body->share_of_ellipsoid() >= min_share_of_ellipsoid;
+  return is_found ? Index(body - moments.begin()) : no_index;
+}
+
+/// The spine of a body with fins; nothing of other bodies.
+///
+/// Its skeleton may lie across, as a fish may be taller than long without its tail. So the spine is straight, through
+/// the center of the body, along the longest side of the box around all parts. It begins at the end nearer to the
+/// center.
+std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root)
+{
+  constexpr double margin = 0.05;      // of the spine at both ends, in lengths of the body
+  constexpr Index number_of_nodes = 7; // for as many joints as a limb may have
+  const std::vector<Index> part = parts_of_nodes(parts);
+  const auto part_of = [&](Index vertex) {
+    const Index node = surface.node_of_vertex[vertex];
+    return node == no_index ? no_index : part[node];
+  };
+  std::vector<Solid_moments> moments(part.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    if (const Index its_part = part_of(a); its_part != no_index) {
+      const Vector3& origin = parts.points[its_part];
+      moments[its_part].add(surface.points[a] - origin, surface.points[b] - origin, surface.points[c] - origin);
+    }
+  }
+  const Index body = find_body_with_fins(moments);
+  if (body == no_index) {
+    return std::nullopt;
+  }
+
+  const Vector3 sides = box_of(surface.points).max() - box_of(surface.points).min();
+  const auto axis = std::size_t(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  const double volume = moments[body].volume;
+  const Vector3 center = parts.points[body] + moments[body].first / volume;
+  Bounding_box box;
+  for (Index v = 0; v < surface.points.size(); ++v) {
+    if (part_of(v) == body) {
+      box.extend(surface.points[v]);
+    }
+  }
+  const double length = box.max()[axis] - box.min()[axis];
+  const bool is_upwards = center[axis] - box.min()[axis] < box.max()[axis] - center[axis];
+  const double along = is_upwards ? length : -length;
+  const double first = (is_upwards ? box.min() : box.max())[axis] + margin * along;
+  const double step = (1 - 2 * margin) * along / (number_of_nodes - 1);
+  const auto node_at = [&](const Vector3& point) {
+    return Index(std::clamp(std::round((point[axis] - first) / step), 0., double(number_of_nodes - 1)));
+  };
+  Rig_axis result{{}, surface.node_of_vertex, std::vector<Index>(number_of_nodes, no_index), 0};
+  // The radius of a cylinder as large and long.
+  result.skeleton.radii.assign(number_of_nodes,
+                               std::sqrt(std::abs(volume) / (boost::math::double_constants::pi * length)));
+  for (Index node = 0; node < number_of_nodes; ++node) {
+    result.skeleton.points.push_back(center);
+    result.skeleton.points.back()[axis] = first + node * step;
+    if (node > 0) {
+      result.skeleton.edges.push_back({node - 1, node});
+    }
+  }
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    if (surface.node_of_vertex[v] != no_index) {
+      result.node_of_vertex[v] = node_at(surface.points[v]);
+    }
+  }
+  result.root = root ? node_at(parts.points[*root]) : 0;
+  return result;
+}
+
+/// The skeleton itself.
+Rig_axis axis_of_limbs(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root)
+{
+  Rig_axis result{join_components(parts), surface.node_of_vertex, measure_branches(parts).branch_of_node, 0};
+  result.root = root.value_or(find_roots(result.skeleton, Root_rule::thickest).front());
+  return result;
 }
 
 } // namespace
@@ -345,15 +488,19 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 {
   CGAL_precondition(parts.number_of_nodes() > 0 && parts.has_radii());
   constexpr double spread = 0.25; // in mean radii: seams vanish, and weights keep to their limbs
-  const Skeleton skeleton = join_components(parts);
-  const Joint_weights weights(skeleton, root.value_or(find_roots(skeleton, Root_rule::thickest).front()),
-                              size_of(surface.points), measure_branches(parts).branch_of_node);
+  std::optional<Rig_axis> axis = find_spine(parts, surface, root);
+  if (!axis) {
+    axis = axis_of_limbs(parts, surface, root);
+  }
+  const Skeleton& skeleton = axis->skeleton;
+  const Bounding_box box = box_of(surface.points);
+  const Joint_weights weights(skeleton, axis->root, (box.max() - box.min()).maxCoeff(), axis->branch_of_node);
   Rig rig{weights.joints(), {}};
   rig.influences.reserve(surface.points.size());
   double sum_of_radii = 0;
   std::size_t number_of_vertices = 0;
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
-    const Index node = surface.node_of_vertex[v];
+    const Index node = axis->node_of_vertex[v];
     if (node == no_index) {
       rig.influences.push_back({{{0, 1.}}}); // weights of vertices without a face have the sum 1, too
     } else {

@@ -11,6 +11,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,24 @@ std::vector<double> face_shape_diameters(const Skeletonized_surface& surface, st
   return means;
 }
 
+namespace {
+
+/// Numbers parts from 0 in the order of their first faces.
+/// \param part of each face, less than the number of faces
+void number_in_order(std::vector<Index>& part)
+{
+  std::vector<Index> number(part.size(), no_index);
+  Index next = 0;
+  for (Index& its : part) {
+    if (number[its] == no_index) {
+      number[its] = next++;
+    }
+    its = number[its];
+  }
+}
+
+} // namespace
+
 /// Lengths, angles and areas of a triangulated surface.
 class Face_geometry
 {
@@ -91,13 +110,11 @@ public:
   explicit Face_geometry(const Skeletonized_surface& surface) : m_surface(surface)
   {
     const std::size_t n = surface.triangles.faces.size();
-    centers.reserve(n);
     normals.reserve(n);
     areas.reserve(n);
     for (const auto& [a, b, c] : surface.triangles.faces) {
       const std::vector<Vector3>& points = surface.triangles.points;
       const Vector3 normal = triangle_vector(points[a], points[b], points[c]);
-      centers.push_back((points[a] + points[b] + points[c]) / 3);
       normals.push_back(normal.normalized());
       areas.push_back(normal.norm() / 2);
       area += areas.back();
@@ -130,7 +147,6 @@ public:
     }
   }
 
-  std::vector<Vector3> centers;
   std::vector<Vector3> normals;
   std::vector<double> areas;
   double area = 0; ///< of all faces
@@ -168,9 +184,9 @@ private:
     if (nodes[0] == nodes[1] || nodes[0] == nodes[2]) {
       return nodes[0];
     }
-    const auto distance = [&](Index node) {
-      return (m_surface.skeleton.points[node] - m_geometry.centers[face]).squaredNorm();
-    };
+    const std::vector<Vector3>& points = m_surface.triangles.points;
+    const Vector3 center = (points[corners[0]] + points[corners[1]] + points[corners[2]]) / 3;
+    const auto distance = [&](Index node) { return (m_surface.skeleton.points[node] - center).squaredNorm(); };
     return *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
   }
 
@@ -182,30 +198,22 @@ private:
     for (Index f = 0; f < number_of_faces; ++f) {
       nodes.push_back(node_of_face(f));
     }
-    const std::vector<std::vector<Index>> neighbors = node_neighbors(m_surface.skeleton);
-    std::vector<Index>& slice = m_graph.slice;
-    slice.assign(number_of_faces, no_index);
-    std::vector<Index> stack;
-    for (Index seed = 0; seed < number_of_faces; ++seed) {
-      if (slice[seed] != no_index) {
-        continue;
+    Disjoint_sets sets(number_of_faces);
+    m_geometry.for_each_inner_edge([&](Index h) {
+      const Index face = Halfedge_pairing::face(h);
+      const Index other = Halfedge_pairing::face(m_surface.pairing.twin(h));
+      if (nodes[face] == nodes[other]) {
+        sets.join(face, other);
       }
-      const auto number = Index(m_graph.slices.size());
-      const Index node = nodes[seed];
-      m_graph.slices.push_back({m_surface.skeleton.points[node], 0, 0, neighbors[node].size() > 2});
-      slice[seed] = number;
-      stack.push_back(seed);
-      while (!stack.empty()) {
-        const Index face = stack.back();
-        stack.pop_back();
-        for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-          const Index twin = m_surface.pairing.twin(h);
-          const Index next = twin == no_index ? face : Halfedge_pairing::face(twin);
-          if (slice[next] == no_index && nodes[next] == node) {
-            slice[next] = number;
-            stack.push_back(next);
-          }
-        }
+    });
+    for (Index f = 0; f < number_of_faces; ++f) {
+      m_graph.slice.push_back(sets.find(f));
+    }
+    number_in_order(m_graph.slice);
+    const std::vector<std::vector<Index>> neighbors = node_neighbors(m_surface.skeleton);
+    for (Index f = 0; f < number_of_faces; ++f) {
+      if (m_graph.slice[f] == m_graph.slices.size()) {
+        m_graph.slices.push_back({m_surface.skeleton.points[nodes[f]], 0, 0, neighbors[nodes[f]].size() > 2});
       }
     }
   }
@@ -401,19 +409,6 @@ double merge_score(const Merge_features& features)
   return score;
 }
 
-/// Numbers parts from 0 in the order of their first faces.
-void number_parts(std::vector<Index>& parts)
-{
-  std::vector<Index> number(parts.size(), no_index);
-  Index next = 0;
-  for (Index& part : parts) {
-    if (number[part] == no_index) {
-      number[part] = next++;
-    }
-    part = number[part];
-  }
-}
-
 std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts)
 {
   const std::vector<double> diameters = face_shape_diameters(surface, default_number_of_diameter_smoothing_steps);
@@ -426,7 +421,7 @@ std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::siz
   for (const Index slice : graph.slice) {
     parts.push_back(part_of_slices[slice]);
   }
-  number_parts(parts);
+  number_in_order(parts);
   return parts;
 }
 

@@ -7,11 +7,14 @@
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 
 #include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 
 #include <string>
 #include <utility>
@@ -49,12 +52,15 @@ inline Skeletonized_surface make_skeletonized_surface(Assigned_surface&& assigne
   return surface;
 }
 
-/// Copies `mesh` and `skeleton`; expectedly linear.
-template <class TriangleMesh, class Skeleton, class VertexPointMap>
+/// Copies `mesh`, with the `vertex_point_map` of `np`, and `skeleton`; expectedly linear.
+template <class TriangleMesh, class Skeleton, class NamedParameters>
 Skeletonized_surface collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skeleton,
-                                                  const VertexPointMap& point_map)
+                                                  const NamedParameters& np)
 {
-  return make_skeletonized_surface(assigned_surface(mesh, skeleton, point_map), index_skeleton(skeleton));
+  check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
+  check_triangle_mesh<TriangleMesh>();
+  return make_skeletonized_surface(assigned_surface(mesh, skeleton, vertex_point_map(mesh, np)),
+                                   index_skeleton(skeleton));
 }
 
 } // namespace CSCD::internal

@@ -8,8 +8,6 @@
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Traits/read_mesh.h>
-#include <CSCD/input_concepts.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
@@ -64,11 +62,8 @@ void estimate_vertex_shape_diameters(const TriangleMesh& mesh, const Skeleton& s
                                      const NamedParameters& np = parameters::default_values(),
                                      std::size_t number_of_smoothing_steps = default_number_of_diameter_smoothing_steps)
 {
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
-  check_triangle_mesh<TriangleMesh>();
-  const internal::Skeletonized_surface surface =
-      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
-  const std::vector<double> values = internal::shape_diameters(surface, num_vertices(mesh), number_of_smoothing_steps);
+  const std::vector<double> values = internal::shape_diameters(
+      internal::collect_skeletonized_surface(mesh, skeleton, np), num_vertices(mesh), number_of_smoothing_steps);
   auto value = values.begin();
   for (const auto vertex : boost::make_iterator_range(vertices(mesh))) {
     put(diameters, vertex, *value++);
@@ -86,11 +81,8 @@ void estimate_face_shape_diameters(const TriangleMesh& mesh, const Skeleton& ske
                                    const NamedParameters& np = parameters::default_values(),
                                    std::size_t number_of_smoothing_steps = default_number_of_diameter_smoothing_steps)
 {
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
-  check_triangle_mesh<TriangleMesh>();
-  const internal::Skeletonized_surface surface =
-      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
-  const std::vector<double> values = internal::face_shape_diameters(surface, number_of_smoothing_steps);
+  const std::vector<double> values = internal::face_shape_diameters(
+      internal::collect_skeletonized_surface(mesh, skeleton, np), number_of_smoothing_steps);
   std::size_t number = 0;
   for (const auto face : boost::make_iterator_range(faces(mesh))) {
     put(diameters, face, values[number++]);

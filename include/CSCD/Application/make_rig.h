@@ -25,17 +25,18 @@ namespace CSCD {
 struct Rig_joint
 {
   std::optional<std::size_t> parent{}; ///< the number of the joint before it; none for a root
-  Index node = no_index;               ///< the node of the skeleton at its place
-  Index branch = no_index;             ///< the branch of that node
-  Vector3 point{};                     ///< of the node
-  double radius = 0;                   ///< of the node
+  Index node = no_index;               ///< the node of the skeleton at its place; along a spine, its number from 0
+  Index branch = no_index;             ///< the branch of that node; `no_index` along a spine
+  Vector3 point{};                     ///< its place
+  double radius = 0;                   ///< of the body there
   bool is_tip = false;                 ///< whether a limb ends in it, so that it moves nothing
 };
 
-/// The name of a joint in files, as `branch_3_node_17`.
+/// The name of a joint in files, as `branch_3_node_17`, or `spine_2` along a spine.
 inline std::string name(const Rig_joint& joint)
 {
-  return "branch_" + std::to_string(joint.branch) + "_node_" + std::to_string(joint.node);
+  return (joint.branch == no_index ? "spine_" : "branch_" + std::to_string(joint.branch) + "_node_") +
+         std::to_string(joint.node);
 }
 
 /// How strongly a joint moves a vertex.
@@ -67,9 +68,13 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 /// makes a rig of the skeleton of a mesh.
 ///
 /// Components are joined by the shortest straight edges, so that the rig has one root. Joints are at the root,
-/// junctions and tips of the skeleton, half a radius outside junctions, so that each limb has a joint of its own, and
-/// along limbs at even distances: every 0.06 of the size of the body, but at most five. Cycles are cut where they are
-/// thinnest.
+/// junctions and tips of the skeleton, a quarter of a radius outside junctions, so that each limb has a joint of its
+/// own, and along limbs at even distances: every 0.06 of the size of the body, but at most five. Cycles are cut where
+/// they are thinnest.
+///
+/// Where one of several components holds nine tenths of the volume and of an ellipsoid, as the body of a fish with
+/// fins and eyes, there are seven joints on a straight spine: through its center, along the longest side of the box
+/// around all components.
 ///
 /// A vertex is moved by the joint before its place on the skeleton, which is the point of the edges at its node that is
 /// nearest to it. Up to one radius before and after a joint, the weights go over from one joint to the other by a cubic

@@ -8,9 +8,7 @@
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/input_concepts.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
@@ -59,10 +57,8 @@ template <class TriangleMesh, class Skeleton, class FaceLabelMap,
 std::size_t segment_mesh(const TriangleMesh& mesh, const Skeleton& skeleton, FaceLabelMap labels,
                          const NamedParameters& np = parameters::default_values(), std::size_t number_of_parts = 0)
 {
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
-  check_triangle_mesh<TriangleMesh>();
-  const std::vector<Index> parts = internal::segment_surface(
-      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np)), number_of_parts);
+  const std::vector<Index> parts =
+      internal::segment_surface(internal::collect_skeletonized_surface(mesh, skeleton, np), number_of_parts);
   std::size_t number = 0;
   for (const auto face : boost::make_iterator_range(faces(mesh))) {
     put(labels, face, std::size_t(parts[number++]));
