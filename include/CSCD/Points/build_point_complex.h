@@ -21,7 +21,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <queue>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,82 +54,39 @@ inline Vector3 mirrored_normal(const Vector3& normal, const Vector3& edge)
 /// et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation of
 /// normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to the
 /// next. O(n log n).
-class Normal_orientation
+inline void orient_normals(const std::vector<Vector3>& points, const std::vector<std::array<Index, 3>>& triangles,
+                           std::vector<Vector3>& normals)
 {
-public:
-  Normal_orientation(const std::vector<Vector3>& points, std::vector<Vector3>& normals)
-      : m_points(points), m_normals(normals)
-  {
-  }
-
-  void operator()(const std::vector<std::array<Index, 3>>& triangles)
-  {
-    find_tree(Vertex_neighbors(
-        m_points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; }));
-    m_is_oriented.assign(m_points.size(), 0);
-    for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-      if (m_is_oriented[vertex] == 0) {
-        orient_from(vertex);
+  const Vertex_neighbors neighbors(
+      points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; });
+  const auto cosine = [&](Index a, Index b) {
+    return mirrored_normal(normals[a], points[b] - points[a]).dot(normals[b]);
+  };
+  using Step = std::tuple<double, Index, Index>; // what the normals differ by, from where, and where to
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
+  std::vector<char> is_oriented(points.size(), 0);
+  const auto orient = [&](Index a) {
+    is_oriented[a] = 1;
+    for (const Index b : neighbors[a]) {
+      if (is_oriented[b] == 0) {
+        steps.emplace(1 - std::abs(cosine(a, b)), a, b);
+      }
+    }
+  };
+  for (Index seed = 0; seed < points.size(); ++seed) {
+    if (is_oriented[seed] == 0) {
+      orient(seed);
+    }
+    while (!steps.empty()) {
+      const auto [difference, a, b] = steps.top();
+      steps.pop();
+      if (is_oriented[b] == 0) {
+        normals[b] = cosine(a, b) < 0 ? Vector3(-normals[b]) : normals[b];
+        orient(b);
       }
     }
   }
-
-private:
-  using Edge = std::pair<Index, Index>;
-
-  /// Takes the edges at which normals differ least.
-  void find_tree(const Vertex_neighbors& neighbors)
-  {
-    std::vector<std::pair<double, Edge>> edges; // by what the normals differ
-    edges.reserve(neighbors.number_of_values() / 2);
-    for (Index a = 0; a < m_points.size(); ++a) {
-      for (const Index b : neighbors[a]) {
-        if (a < b) {
-          edges.push_back({1 - std::abs(expected(a, b).dot(m_normals[b])), {a, b}});
-        }
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    Disjoint_sets sets(m_points.size());
-    for (const auto& [difference, edge] : edges) {
-      if (sets.join(edge.first, edge.second)) {
-        m_tree.push_back(edge);
-        m_tree.emplace_back(edge.second, edge.first);
-      }
-    }
-    std::sort(m_tree.begin(), m_tree.end());
-  }
-
-  /// The expected normal of `b`, judging by that of `a`.
-  Vector3 expected(Index a, Index b) const { return mirrored_normal(m_normals[a], m_points[b] - m_points[a]); }
-
-  void orient_from(Index seed)
-  {
-    m_is_oriented[seed] = 1;
-    m_stack.push_back(seed);
-    while (!m_stack.empty()) {
-      const Index a = m_stack.back();
-      m_stack.pop_back();
-      auto edge = std::lower_bound(m_tree.begin(), m_tree.end(), Edge(a, 0));
-      for (; edge != m_tree.end() && edge->first == a; ++edge) {
-        const Index b = edge->second;
-        if (m_is_oriented[b] == 0) {
-          m_is_oriented[b] = 1;
-          m_stack.push_back(b);
-          if (expected(a, b).dot(m_normals[b]) < 0) {
-            m_normals[b] = -m_normals[b];
-          }
-        }
-      }
-    }
-  }
-
-  const std::vector<Vector3>& m_points;
-  std::vector<Vector3>& m_normals;
-  std::vector<Edge> m_tree; // each edge both ways, sorted
-  std::vector<char> m_is_oriented;
-  std::vector<Index> m_stack;
-};
+}
 
 /// The triangles of the convex hull of `points`, outwards; none if some points are inside, or all nearly lie in a
 /// plane. O(n^4).
@@ -303,11 +263,11 @@ private:
     take_normals();
     std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
     triangles = select_triangles();
-    Normal_orientation(m_points, m_normals)(triangles);
+    orient_normals(m_points, triangles, m_normals);
     // Oriented normals separate more sheets.
     m_is_oriented = true;
     triangles = select_triangles();
-    Normal_orientation(m_points, m_normals)(triangles);
+    orient_normals(m_points, triangles, m_normals);
     orient(triangles);
     turn_outwards(triangles);
   }
