@@ -11,17 +11,21 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Triangle_selection.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <queue>
 #include <random>
 #include <tuple>
@@ -449,6 +453,88 @@ inline Triangulated_cloud triangulate_cloud(const Point_cloud& cloud)
   return Cloud_triangulation(cloud)();
 }
 
+/// Fills the gaps of a few edges between triangles: voids of random samples are not holes.
+class Gap_closing
+{
+public:
+  explicit Gap_closing(Triangulated_cloud& cloud)
+      : m_cloud(cloud), m_surface{cloud.points, cloud.triangles, cloud.triangles.size()},
+        m_pairing(cloud.triangles, cloud.points.size()), m_is_met(m_pairing.number_of_halfedges(), 0)
+  {
+  }
+
+  /// Adds triangles to the cloud that look as the normals say; O(n log n).
+  void operator()()
+  {
+    Border_bridge bridge(m_surface, m_pairing);
+    for (Index h = 0; h < m_is_met.size(); ++h) {
+      if (m_pairing.twin(h) == no_index && m_is_met[h] == 0) {
+        std::vector<Index> corners = gap_at(h);
+        if (!corners.empty()) {
+          bridge.close(corners);
+        }
+      }
+    }
+    const auto fits = [this](const std::array<Index, 3>& face) {
+      const std::vector<Vector3>& points = m_surface.points;
+      const Vector3 vector = triangle_vector(points[face[0]], points[face[1]], points[face[2]]);
+      return std::all_of(face.begin(), face.end(), [&](Index corner) {
+        return corner < m_cloud.points.size() && vector.dot(m_cloud.normals[corner]) > 0;
+      });
+    };
+    std::copy_if(m_surface.faces.begin() + std::ptrdiff_t(m_surface.first_hole_filling_face), m_surface.faces.end(),
+                 std::back_inserter(m_cloud.triangles), fits);
+  }
+
+private:
+  /// The most edges of a gap: at random, seven points lie no more evenly than that.
+  static constexpr std::size_t longest_gap = 7;
+
+  Index origin(Index h) const { return m_surface.faces[h / 3][h % 3]; }
+  Index target(Index h) const { return origin(Halfedge_pairing::next(h)); }
+
+  /// The corners of the gap to the right of a halfedge on the border, clockwise; none if they are too many.
+  std::vector<Index> gap_at(Index first)
+  {
+    std::vector<Index> border;
+    Index h = first;
+    do {
+      border.push_back(h);
+      h = next(h);
+    } while (h != first && m_is_met[h] == 0 && border.size() < longest_gap);
+    if (h != first || border.size() < 3) {
+      return {};
+    }
+    std::vector<Index> corners;
+    for (const Index side : border) {
+      m_is_met[side] = 1;
+      corners.push_back(origin(side));
+    }
+    return {corners.rbegin(), corners.rend()};
+  }
+
+  /// The halfedge on the other side of the gap at the end of a halfedge on the border.
+  Index next(Index halfedge) const
+  {
+    const Index center = target(halfedge);
+    const std::vector<Vector3>& points = m_surface.points;
+    std::pair<double, Index> result{boost::math::double_constants::two_pi, no_index}; // by the angle of the gap
+    for (const Index h : m_pairing.outgoing()[center]) {
+      if (m_pairing.twin(h) == no_index) {
+        const double angle = angle_around(m_cloud.normals[center], points[origin(halfedge)] - points[center],
+                                          points[target(h)] - points[center]);
+        result = std::min(result, {angle > 0 ? angle : angle + boost::math::double_constants::two_pi, h});
+      }
+    }
+    return result.second;
+  }
+
+  Triangulated_cloud& m_cloud;
+  Indexed_triangles m_surface;
+  Halfedge_pairing m_pairing;
+  std::vector<char> m_is_met; ///< the halfedges around gaps
+};
+
 /// The complex of the triangulation of `cloud`, with gaps of a few edges closed: shortest paths would go around these.
 /// \throw Input_error if no triangle can be made
 inline Point_complex build_point_complex(const Point_cloud& cloud)
@@ -458,7 +544,7 @@ inline Point_complex build_point_complex(const Point_cloud& cloud)
     throw Input_error(
         "no triangle could be made between the points: they do not sample a surface; sample it more densely");
   }
-  Gap_closing(triangulated.points, triangulated.normals, triangulated.triangles)();
+  Gap_closing{triangulated}();
   return {std::move(triangulated.points), std::move(triangulated.normals), triangulated.triangles};
 }
 
