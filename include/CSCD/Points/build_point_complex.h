@@ -335,9 +335,6 @@ private:
     proposals.reserve(7 * m_points.size());
     Delaunay_star star;
     for (Index p = 0; p < m_points.size(); ++p) {
-      if (is_outlier(m_neighbors, p)) {
-        continue;
-      }
       const Vector3 x = m_normals[p].unitOrthogonal();
       const Vector3 y = m_normals[p].cross(x);
       star.clear();
