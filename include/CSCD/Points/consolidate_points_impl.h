@@ -189,7 +189,7 @@ private:
   /// The points that are far from all others, or spread in space, and not on a sparse part of the surface.
   std::vector<Index> outliers()
   {
-    const std::vector<Index> lonely = lonely_points();
+    std::vector<Index> lonely = lonely_points();
     if (lonely.empty() || 2 * lonely.size() > m_cloud.points.size()) {
       return {};
     }
