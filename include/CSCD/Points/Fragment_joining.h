@@ -67,17 +67,13 @@ public:
   }
 
 private:
-  /// How far two borders are apart at most that noise has separated, relative to their edges ...
-  static constexpr double near_gap = 2;
-  /// ... unless both fragments have more than this part of all faces: they may be bodies that touch.
-  static constexpr double max_near_part = 0.15;
-  /// The widest gap over which fragments are joined, likewise: about nine spacings of points. Only missing data explain
-  /// such gaps.
+  /// Two fragments that both have more than this part of all faces may be bodies that touch.
+  static constexpr double max_part = 0.15;
+  /// The widest gap over which fragments are joined, relative to the edges of the borders: about nine spacings of
+  /// points. Only missing data explain such gaps.
   static constexpr double widest_gap = 8;
   /// The vertices of borders among which the ends of such gaps are sought.
   static constexpr Index far_neighbors = 64;
-  /// Fragments of at most so many faces are not bodies of their own.
-  static constexpr std::size_t max_debris = 800;
   /// Fragments of at most so many faces are dropped if they are not joined ...
   static constexpr double max_dropped = 100;
   /// ... and have at most this part of all faces.
@@ -145,8 +141,7 @@ private:
     return result;
   }
 
-  /// Whether the groups at the ends of a gap are to be joined: if they are near each other, or one is small, or both
-  /// are stumps.
+  /// Whether the groups at the ends of a gap are to be joined: if one is small, or both are stumps.
   bool are_one_body(const Candidate& gap)
   {
     const Index group_a = group(gap.a);
@@ -155,11 +150,10 @@ private:
       return false;
     }
     const double edge = std::max(edge_length(gap.a), edge_length(gap.b));
-    const std::size_t smaller = std::min(m_size[group_a], m_size[group_b]);
-    const bool is_part = double(smaller) <= max_near_part * double(m_triangles.faces.size());
+    const bool is_part =
+        double(std::min(m_size[group_a], m_size[group_b])) <= max_part * double(m_triangles.faces.size());
     const double border = std::max(min_border * gap.gap, min_border_in_edges * edge);
-    return (is_part && (gap.gap <= near_gap * edge || smaller <= max_debris)) ||
-           (has_border_of(gap.a, border) && has_border_of(gap.b, border));
+    return is_part || (has_border_of(gap.a, border) && has_border_of(gap.b, border));
   }
 
   /// Whether the border through `vertex` has at least this length.

@@ -6,6 +6,7 @@
 #ifndef CSCD_POINTS_NEIGHBOR_TABLE_H
 #define CSCD_POINTS_NEIGHBOR_TABLE_H
 
+#include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Vector3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -294,21 +295,6 @@ inline std::vector<Index> thin(const std::vector<Vector3>& points, double radius
 /// random sequential choice.
 inline constexpr double packing_density = 0.69;
 
-/// The root of the mean squared distance of `points` from their centroid.
-inline double root_mean_square_distance(const std::vector<Vector3>& points)
-{
-  const auto number = double(points.size());
-  Vector3 centroid = Vector3::Zero();
-  for (const Vector3& point : points) {
-    centroid += point / number;
-  }
-  double mean_square = 0;
-  for (const Vector3& point : points) {
-    mean_square += (point - centroid).squaredNorm() / number;
-  }
-  return std::sqrt(mean_square);
-}
-
 /// The area that points cover, estimated from some 2000 balls around them: noise that is less than their radius, and a
 /// few points that are far away, hardly count. Does not depend on the pose. Linear.
 inline double estimate_area(const std::vector<Vector3>& points)
@@ -316,10 +302,10 @@ inline double estimate_area(const std::vector<Vector3>& points)
   constexpr double number_of_balls = 2000;
   constexpr std::size_t sample = 50000;    // points that serve the estimate, about
   constexpr int max_number_of_trials = 40; // of radii; stops the search where no radius leaves as many balls
-  constexpr double first_radius = 0.05;    // relative to the mean distance of the points from their centroid
+  constexpr double first_radius = 0.05;    // relative to the root mean squared distance from the centroid
   const double target = std::min(number_of_balls, double(points.size()) / 4);
   const std::size_t step = std::max<std::size_t>(1, points.size() / sample);
-  double radius = first_radius * root_mean_square_distance(points);
+  double radius = first_radius / Canonical_pose(points).scale();
   double area = 0;
   for (int i = 0; i < max_number_of_trials; ++i) {
     const auto number = double(thin(points, radius, step).size());

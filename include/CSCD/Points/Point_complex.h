@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangles between the points of a cloud that its neighborhoods agree on, and neighborhoods in them.
+// The triangles between the points of a cloud that its neighborhoods agree on.
 
 #ifndef CSCD_POINTS_POINT_COMPLEX_H
 #define CSCD_POINTS_POINT_COMPLEX_H
@@ -9,7 +9,6 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -249,30 +248,6 @@ private:
   Index m_number_of_components = 0;
 };
 
-namespace internal {
-
-/// Goes from `vertex` to the neighbor that is nearest to `point`, again and again until none is nearer.
-/// \param is_allowed whether to go on from its first argument to its second one
-template <class Predicate>
-Index descend_to_nearest(const Point_complex& complex, const Vector3& point, Index vertex, const Predicate& is_allowed)
-{
-  double min_distance = (complex.point(vertex) - point).squaredNorm();
-  for (Index center = no_index; center != vertex;) {
-    center = vertex;
-    for (const Index h : complex.outgoing(center)) {
-      const Index neighbor = complex.target(h);
-      const double distance = (complex.point(neighbor) - point).squaredNorm();
-      if (distance < min_distance && is_allowed(center, neighbor)) {
-        min_distance = distance;
-        vertex = neighbor;
-      }
-    }
-  }
-  return vertex;
-}
-
-} // namespace internal
-
 /// A part with fewer of the points than this, relative to the largest part, is a fragment: noise, or the tip of a limb
 /// that lost its connection.
 inline constexpr double min_part_of_points = 0.02;
@@ -311,82 +286,5 @@ inline Point_complex drop_fragments(Point_complex&& complex, std::vector<Index>&
 }
 
 } // namespace CSCD
-
-namespace CSCD::internal {
-
-/// For every vertex of a point complex, how far it matters to the surface around it, and the vertices that matter to
-/// the surface near it. These are reached over edges, through vertices whose normals look to the same side: so points
-/// of another sheet that passes nearby are not among them. Const and thread safe.
-class Point_neighborhoods
-{
-public:
-  /// Collects the neighborhoods; linear, with some forty vertices in each.
-  explicit Point_neighborhoods(const Point_complex& complex)
-  {
-    const Index n = complex.number_of_vertices();
-    m_radius.reserve(n);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      m_radius.push_back(support * mean_edge_length(complex, vertex));
-    }
-    Epoch_marks is_met(n);
-    m_begin.reserve(std::size_t(n) + 1);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      m_begin.push_back(m_neighbors.size());
-      collect(complex, vertex, is_met);
-    }
-    m_begin.push_back(m_neighbors.size());
-  }
-
-  /// The vertices around `vertex`, itself among them: all whose radius a point may come into that is nearest to it.
-  CGAL::Iterator_range<const Index*> neighbors(Index vertex) const
-  {
-    return {m_neighbors.data() + m_begin[vertex], m_neighbors.data() + m_begin[vertex + 1]};
-  }
-  /// Within this distance `vertex` matters; zero for one without edges.
-  double radius(Index vertex) const { return m_radius[vertex]; }
-  /// The mean length of the edges at `vertex`.
-  double spacing(Index vertex) const { return m_radius[vertex] / support; }
-
-private:
-  /// The radius relative to the mean length of the edges at a vertex: some twenty-five points lie within it, and ten
-  /// have much weight; with fewer, noise is seen, with more, round parts are flattened.
-  static constexpr double support = 2.5;
-  /// Points that are nearest to a vertex are about so far from it at most, relative to the same length.
-  static constexpr double reach = 0.6;
-
-  static double mean_edge_length(const Point_complex& complex, Index vertex)
-  {
-    double sum = 0;
-    std::size_t number = 0;
-    for (const Index h : complex.outgoing(vertex)) {
-      sum += complex.length(h);
-      ++number;
-    }
-    return number == 0 ? 0. : sum / double(number);
-  }
-
-  void collect(const Point_complex& complex, Index vertex, Epoch_marks& is_met)
-  {
-    const double distance = m_radius[vertex] * (1 + reach / support);
-    is_met.clear();
-    is_met.mark(vertex);
-    m_neighbors.push_back(vertex);
-    for (std::size_t i = m_begin[vertex]; i < m_neighbors.size(); ++i) {
-      for (const Index h : complex.outgoing(m_neighbors[i])) {
-        const Index target = complex.target(h);
-        if ((complex.point(target) - complex.point(vertex)).squaredNorm() <= distance * distance &&
-            complex.normal(target).dot(complex.normal(vertex)) > 0 && is_met.mark(target)) {
-          m_neighbors.push_back(target);
-        }
-      }
-    }
-  }
-
-  std::vector<double> m_radius;
-  std::vector<std::size_t> m_begin;
-  std::vector<Index> m_neighbors;
-};
-
-} // namespace CSCD::internal
 
 #endif // CSCD_POINTS_POINT_COMPLEX_H

@@ -8,11 +8,12 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_complex.h>
+#include <CSCD/Points/Surface_completion.h>
+#include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,7 +33,6 @@ public:
   /// \throw Input_error if none of the points are connected
   explicit Point_solid(const Point_cloud& cloud);
   Point_solid(Point_solid&&) = delete;
-  ~Point_solid();
 
   /// The triangles between the points, in the coordinates of the cloud.
   const Point_complex& triangulation() const { return m_complex; }
@@ -45,20 +45,22 @@ public:
   /// @{
 
   /// Whether the body holds `point`.
-  bool is_inside(const Vector3& point) const;
+  bool is_inside(const Vector3& point) const { return m_queries.is_inside(point); }
   /// The middle of the body behind where its surface is nearest to `point`, if there is one.
-  std::optional<Vector3> middle_behind(const Vector3& point) const;
+  std::optional<Vector3> middle_behind(const Vector3& point) const { return m_queries.middle_behind(point); }
   /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body, in ascending
   /// order.
-  void crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const;
+  void crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const
+  {
+    m_queries.crossings(from, to, distances);
+  }
   /// @}
 
 private:
-  struct Body;
-
   std::vector<Index> m_vertex_of_point;
   Point_complex m_complex;
-  std::unique_ptr<const Body> m_body;
+  internal::Closed_complex m_closed;
+  internal::Solid_queries m_queries; // of the closed surface
 };
 
 } // namespace CSCD

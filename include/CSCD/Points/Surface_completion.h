@@ -16,7 +16,6 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -24,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -216,34 +214,10 @@ public:
   /// The closed surface.
   const Triangulated_surface& surface() const { return m_surface; }
 
-  /// For each vertex of the surface, its region; each region is connected. `no_index` in components where no region has
-  /// its largest part. O(n log n).
-  /// \param region returns the region of a vertex of the complex
-  template <class Region>
-  std::vector<Index> regions(const Region& region) const
+  /// The vertex of the complex that a vertex of the surface is; `no_index` for inserted and second ones.
+  Index vertex_in_complex(Index vertex) const
   {
-    std::vector<Index> result(m_surface.number_of_vertices(), no_index);
-    for (Index vertex = 0; vertex < result.size(); ++vertex) {
-      if (vertex < m_completed.point_of_vertex.size() && m_completed.point_of_vertex[vertex] != no_index) {
-        result[vertex] = region(m_completed.point_of_vertex[vertex]);
-      }
-    }
-    const std::vector<char> is_kept = largest_parts(result);
-    Multi_source_dijkstra_search front(result.size());
-    for (Index vertex = 0; vertex < result.size(); ++vertex) {
-      if (is_kept[vertex] != 0) {
-        front.reach(vertex, 0, result[vertex]);
-      }
-    }
-    front.spread([this](Index vertex, const auto& visit) {
-      for (const Index halfedge : m_surface.outgoing(vertex)) {
-        visit(m_surface.target(halfedge), float(m_surface.length(halfedge)));
-      }
-    });
-    for (Index vertex = 0; vertex < result.size(); ++vertex) {
-      result[vertex] = front.label(vertex);
-    }
-    return result;
+    return vertex < m_completed.point_of_vertex.size() ? m_completed.point_of_vertex[vertex] : no_index;
   }
 
 private:
@@ -257,34 +231,6 @@ private:
     Surface_completion complete(result, Normalization());
     complete.prepare();
     complete();
-    return result;
-  }
-
-  /// Which vertices are in the largest connected part of their region.
-  std::vector<char> largest_parts(const std::vector<Index>& region) const
-  {
-    const auto n = Index(region.size());
-    Disjoint_sets joined(n);
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      if (region[m_surface.origin(h)] == region[m_surface.target(h)]) {
-        joined.join(m_surface.origin(h), m_surface.target(h));
-      }
-    }
-    Index number_of_parts = 0;
-    const std::vector<Index> part = joined.numbers(number_of_parts);
-    std::vector<Index> size(number_of_parts, 0);
-    for (const Index its_part : part) {
-      ++size[its_part];
-    }
-    std::map<Index, Index> largest; // of each region, the part; the first one, of several
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      Index& best = largest.emplace(region[vertex], part[vertex]).first->second;
-      best = size[part[vertex]] > size[best] ? part[vertex] : best;
-    }
-    std::vector<char> result(n, 0);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      result[vertex] = region[vertex] != no_index && largest[region[vertex]] == part[vertex] ? 1 : 0;
-    }
     return result;
   }
 

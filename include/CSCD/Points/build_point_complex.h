@@ -11,17 +11,24 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Triangle_selection.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <iterator>
+#include <queue>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,82 +58,39 @@ inline Vector3 mirrored_normal(const Vector3& normal, const Vector3& edge)
 /// et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation of
 /// normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to the
 /// next. O(n log n).
-class Normal_orientation
+inline void orient_normals(const std::vector<Vector3>& points, const std::vector<std::array<Index, 3>>& triangles,
+                           std::vector<Vector3>& normals)
 {
-public:
-  Normal_orientation(const std::vector<Vector3>& points, std::vector<Vector3>& normals)
-      : m_points(points), m_normals(normals)
-  {
-  }
-
-  void operator()(const std::vector<std::array<Index, 3>>& triangles)
-  {
-    find_tree(Vertex_neighbors(
-        m_points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; }));
-    m_is_oriented.assign(m_points.size(), 0);
-    for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-      if (m_is_oriented[vertex] == 0) {
-        orient_from(vertex);
+  const Vertex_neighbors neighbors(
+      points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; });
+  const auto cosine = [&](Index a, Index b) {
+    return mirrored_normal(normals[a], points[b] - points[a]).dot(normals[b]);
+  };
+  using Step = std::tuple<double, Index, Index>; // what the normals differ by, from where, and where to
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
+  std::vector<char> is_oriented(points.size(), 0);
+  const auto orient = [&](Index a) {
+    is_oriented[a] = 1;
+    for (const Index b : neighbors[a]) {
+      if (is_oriented[b] == 0) {
+        steps.emplace(1 - std::abs(cosine(a, b)), a, b);
+      }
+    }
+  };
+  for (Index seed = 0; seed < points.size(); ++seed) {
+    if (is_oriented[seed] == 0) {
+      orient(seed);
+    }
+    while (!steps.empty()) {
+      const auto [difference, a, b] = steps.top();
+      steps.pop();
+      if (is_oriented[b] == 0) {
+        normals[b] = cosine(a, b) < 0 ? Vector3(-normals[b]) : normals[b];
+        orient(b);
       }
     }
   }
-
-private:
-  using Edge = std::pair<Index, Index>;
-
-  /// Takes the edges at which normals differ least.
-  void find_tree(const Vertex_neighbors& neighbors)
-  {
-    std::vector<std::pair<double, Edge>> edges; // by what the normals differ
-    edges.reserve(neighbors.number_of_values() / 2);
-    for (Index a = 0; a < m_points.size(); ++a) {
-      for (const Index b : neighbors[a]) {
-        if (a < b) {
-          edges.push_back({1 - std::abs(expected(a, b).dot(m_normals[b])), {a, b}});
-        }
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    Disjoint_sets sets(m_points.size());
-    for (const auto& [difference, edge] : edges) {
-      if (sets.join(edge.first, edge.second)) {
-        m_tree.push_back(edge);
-        m_tree.emplace_back(edge.second, edge.first);
-      }
-    }
-    std::sort(m_tree.begin(), m_tree.end());
-  }
-
-  /// The expected normal of `b`, judging by that of `a`.
-  Vector3 expected(Index a, Index b) const { return mirrored_normal(m_normals[a], m_points[b] - m_points[a]); }
-
-  void orient_from(Index seed)
-  {
-    m_is_oriented[seed] = 1;
-    m_stack.push_back(seed);
-    while (!m_stack.empty()) {
-      const Index a = m_stack.back();
-      m_stack.pop_back();
-      auto edge = std::lower_bound(m_tree.begin(), m_tree.end(), Edge(a, 0));
-      for (; edge != m_tree.end() && edge->first == a; ++edge) {
-        const Index b = edge->second;
-        if (m_is_oriented[b] == 0) {
-          m_is_oriented[b] = 1;
-          m_stack.push_back(b);
-          if (expected(a, b).dot(m_normals[b]) < 0) {
-            m_normals[b] = -m_normals[b];
-          }
-        }
-      }
-    }
-  }
-
-  const std::vector<Vector3>& m_points;
-  std::vector<Vector3>& m_normals;
-  std::vector<Edge> m_tree; // each edge both ways, sorted
-  std::vector<char> m_is_oriented;
-  std::vector<Index> m_stack;
-};
+}
 
 /// The triangles of the convex hull of `points`, outwards; none if some points are inside, or all nearly lie in a
 /// plane. O(n^4).
@@ -303,11 +267,11 @@ private:
     take_normals();
     std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
     triangles = select_triangles();
-    Normal_orientation(m_points, m_normals)(triangles);
+    orient_normals(m_points, triangles, m_normals);
     // Oriented normals separate more sheets.
     m_is_oriented = true;
     triangles = select_triangles();
-    Normal_orientation(m_points, m_normals)(triangles);
+    orient_normals(m_points, triangles, m_normals);
     orient(triangles);
     turn_outwards(triangles);
   }
@@ -371,9 +335,6 @@ private:
     proposals.reserve(7 * m_points.size());
     Delaunay_star star;
     for (Index p = 0; p < m_points.size(); ++p) {
-      if (is_outlier(m_neighbors, p)) {
-        continue;
-      }
       const Vector3 x = m_normals[p].unitOrthogonal();
       const Vector3 y = m_normals[p].cross(x);
       star.clear();
@@ -489,6 +450,88 @@ inline Triangulated_cloud triangulate_cloud(const Point_cloud& cloud)
   return Cloud_triangulation(cloud)();
 }
 
+/// Fills the gaps of a few edges between triangles: voids of random samples are not holes.
+class Gap_closing
+{
+public:
+  explicit Gap_closing(Triangulated_cloud& cloud)
+      : m_cloud(cloud), m_surface{cloud.points, cloud.triangles, cloud.triangles.size()},
+        m_pairing(cloud.triangles, cloud.points.size()), m_is_met(m_pairing.number_of_halfedges(), 0)
+  {
+  }
+
+  /// Adds triangles to the cloud that look as the normals say; O(n log n).
+  void operator()()
+  {
+    Border_bridge bridge(m_surface, m_pairing);
+    for (Index h = 0; h < m_is_met.size(); ++h) {
+      if (m_pairing.twin(h) == no_index && m_is_met[h] == 0) {
+        std::vector<Index> corners = gap_at(h);
+        if (!corners.empty()) {
+          bridge.close(corners);
+        }
+      }
+    }
+    const auto fits = [this](const std::array<Index, 3>& face) {
+      const std::vector<Vector3>& points = m_surface.points;
+      const Vector3 vector = triangle_vector(points[face[0]], points[face[1]], points[face[2]]);
+      return std::all_of(face.begin(), face.end(), [&](Index corner) {
+        return corner < m_cloud.points.size() && vector.dot(m_cloud.normals[corner]) > 0;
+      });
+    };
+    std::copy_if(m_surface.faces.begin() + std::ptrdiff_t(m_surface.first_hole_filling_face), m_surface.faces.end(),
+                 std::back_inserter(m_cloud.triangles), fits);
+  }
+
+private:
+  /// The most edges of a gap: at random, seven points lie no more evenly than that.
+  static constexpr std::size_t longest_gap = 7;
+
+  Index origin(Index h) const { return m_surface.faces[h / 3][h % 3]; }
+  Index target(Index h) const { return origin(Halfedge_pairing::next(h)); }
+
+  /// The corners of the gap to the right of a halfedge on the border, clockwise; none if they are too many.
+  std::vector<Index> gap_at(Index first)
+  {
+    std::vector<Index> border;
+    Index h = first;
+    do {
+      border.push_back(h);
+      h = next(h);
+    } while (h != first && m_is_met[h] == 0 && border.size() < longest_gap);
+    if (h != first || border.size() < 3) {
+      return {};
+    }
+    std::vector<Index> corners;
+    for (const Index side : border) {
+      m_is_met[side] = 1;
+      corners.push_back(origin(side));
+    }
+    return {corners.rbegin(), corners.rend()};
+  }
+
+  /// The halfedge on the other side of the gap at the end of a halfedge on the border.
+  Index next(Index halfedge) const
+  {
+    const Index center = target(halfedge);
+    const std::vector<Vector3>& points = m_surface.points;
+    std::pair<double, Index> result{boost::math::double_constants::two_pi, no_index}; // by the angle of the gap
+    for (const Index h : m_pairing.outgoing()[center]) {
+      if (m_pairing.twin(h) == no_index) {
+        const double angle = angle_around(m_cloud.normals[center], points[origin(halfedge)] - points[center],
+                                          points[target(h)] - points[center]);
+        result = std::min(result, {angle > 0 ? angle : angle + boost::math::double_constants::two_pi, h});
+      }
+    }
+    return result.second;
+  }
+
+  Triangulated_cloud& m_cloud;
+  Indexed_triangles m_surface;
+  Halfedge_pairing m_pairing;
+  std::vector<char> m_is_met; ///< the halfedges around gaps
+};
+
 /// The complex of the triangulation of `cloud`, with gaps of a few edges closed: shortest paths would go around these.
 /// \throw Input_error if no triangle can be made
 inline Point_complex build_point_complex(const Point_cloud& cloud)
@@ -498,7 +541,7 @@ inline Point_complex build_point_complex(const Point_cloud& cloud)
     throw Input_error(
         "no triangle could be made between the points: they do not sample a surface; sample it more densely");
   }
-  Gap_closing(triangulated.points, triangulated.normals, triangulated.triangles)();
+  Gap_closing{triangulated}();
   return {std::move(triangulated.points), std::move(triangulated.normals), triangulated.triangles};
 }
 

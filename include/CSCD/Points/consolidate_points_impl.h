@@ -49,11 +49,7 @@ public:
     if (double(kept.size()) > largest_part * double(m_cloud.points.size())) {
       return std::move(m_cloud);
     }
-    std::vector<Vector3> points;
-    points.reserve(kept.size());
-    for (Index point : kept) {
-      points.push_back(m_cloud.points[point]);
-    }
+    std::vector<Vector3> points = at(kept);
     const bool is_averaged = m_noise > max_noise;
     if (is_averaged) {
       average(points);
@@ -67,7 +63,10 @@ public:
       points.resize(chosen.size());
       kept.resize(chosen.size());
     }
-    return make_cloud(std::move(points), kept, is_averaged);
+    const std::vector<Index> representative = nearest(points);
+    Point_cloud result = make_cloud(std::move(points), kept, representative);
+    result.is_averaged = is_averaged;
+    return result;
   }
 
   std::size_t number_of_outliers() const { return m_number_of_outliers; }
@@ -91,10 +90,6 @@ private:
   static constexpr double expected_bend = 0.7;
   /// Points are averaged if their noise in the unit of the radius exceeds this: about the bound of the triangulation.
   static constexpr double max_noise = 0.15;
-  /// Noise in the unit of the radius that is too large for an average over the radius.
-  static constexpr double excessive_noise = 0.4;
-  /// Excessive noise may thin a cloud to this number of points.
-  static constexpr double number_in_noise = 2000;
   /// The mean of this many points has a sixth of their noise; more take time.
   static constexpr double averaged_points = 40;
   /// The points of the mean neighborhood that shows outliers.
@@ -194,15 +189,12 @@ private:
   /// The points that are far from all others, or spread in space, and not on a sparse part of the surface.
   std::vector<Index> outliers()
   {
-    const std::vector<Index> lonely = lonely_points();
+    std::vector<Index> lonely = lonely_points();
     if (lonely.empty() || 2 * lonely.size() > m_cloud.points.size()) {
       return {};
     }
-    std::vector<Vector3> points;
-    points.reserve(m_cloud.points.size());
-    for (Index point : lonely) {
-      points.push_back(m_cloud.points[point]);
-    }
+    // The lonely points come first.
+    std::vector<Vector3> points = at(lonely);
     std::vector<char> is_lonely(m_cloud.points.size(), 0);
     for (Index point : lonely) {
       is_lonely[point] = 1;
@@ -215,57 +207,42 @@ private:
     const Neighbor_table neighbors(points, quadric_neighbors);
     std::vector<double> deviations;
     for (Index i = 0; i < lonely.size(); ++i) {
-      deviations.push_back(fit_quadric(points, i, neighbors.neighbors(i), neighbors.reach(i)).deviation /
-                           neighbors.reach(i));
+      const double reach = neighbors.reach(i);
+      deviations.push_back(fit_quadric(points, i, neighbors.neighbors(i), reach).deviation / reach);
     }
-    m_is_space_filled =
-        m_is_space_filled || (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
-                              quantile(deviations, 0.5) > deviation_in_space);
+    if (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
+        quantile(deviations, 0.5) > deviation_in_space) {
+      return lonely;
+    }
     std::vector<Index> result;
     for (Index i = 0; i < lonely.size(); ++i) {
-      if (m_is_space_filled || is_outlier(neighbors, i)) {
+      if (is_outlier(neighbors, i)) {
         result.push_back(lonely[i]);
       }
     }
     return result;
   }
 
-  /// Takes `left_out` from the cloud, and normalizes it anew; they belong to the nearest of the others.
-  /// \return whether there were any
+  /// Takes `left_out` from the cloud; they belong to the nearest of the others. \return whether there were any
   bool leave_out(const std::vector<Index>& left_out)
   {
-    m_number_of_outliers += left_out.size();
     if (left_out.empty()) {
       return false;
     }
-    std::vector<char> is_left_out(m_cloud.points.size(), 0);
-    for (Index point : left_out) {
-      is_left_out[point] = 1;
+    m_number_of_outliers += left_out.size();
+    std::vector<Index> representative(m_cloud.points.size(), 0);
+    for (const Index point : left_out) {
+      representative[point] = no_index;
     }
-    std::vector<Vector3> points;
-    std::vector<Vector3> normals;
-    std::vector<Index> number(m_cloud.points.size(), no_index);
-    for (Index point = 0; point < m_cloud.points.size(); ++point) {
-      if (is_left_out[point] == 0) {
-        number[point] = Index(points.size());
-        points.push_back(m_cloud.points[point]);
-        if (!m_cloud.normals.empty()) {
-          normals.push_back(m_cloud.normals[point]);
-        }
+    std::vector<Index> kept;
+    for (Index point = 0; point < representative.size(); ++point) {
+      if (representative[point] != no_index) {
+        representative[point] = Index(kept.size());
+        kept.push_back(point);
       }
     }
-    const Point_tree tree(points);
-    for (Index point : left_out) {
-      number[point] = tree.nearest(m_cloud.points[point]);
-    }
-    m_cloud.normalization = m_cloud.normalization.then(normalize_extent(points));
-    m_cloud.points = std::move(points);
-    m_cloud.normals = std::move(normals);
-    for (Index& point : m_cloud.input_point) {
-      point = number[point];
-    }
-    sort_canonically(m_cloud);
-    m_cloud.number_of_thinned_points += left_out.size();
+    assign_to_nearest(m_cloud.points, representative);
+    m_cloud = make_cloud(at(kept), kept, representative);
     return true;
   }
 
@@ -276,12 +253,6 @@ private:
     m_radius = radius_of(number);
     Cloud_probe result = probe();
     m_noise = result.noise;
-    while (result.is_known && result.noise > excessive_noise && number > number_in_noise) {
-      number /= std::sqrt(2.);
-      m_radius = radius_of(number);
-      result = probe();
-      m_noise = result.noise;
-    }
     double bend = result.bend;
     while (bend > max_bend && number < greatest_number) {
       number = std::min(greatest_number, std::sqrt(2.) * number);
@@ -360,35 +331,36 @@ private:
   /// For every point of the cloud the nearest of `points`.
   std::vector<Index> nearest(const std::vector<Vector3>& points) const
   {
-    std::vector<Index> result(m_cloud.points.size(), no_index);
-    for (const double radius : {m_radius, 2 * m_radius}) { // averaged points may have moved
-      if (std::find(result.begin(), result.end(), no_index) == result.end()) {
-        return result;
-      }
-      const Point_grid grid(radius, points);
-      for (Index point = 0; point < result.size(); ++point) {
-        if (result[point] == no_index) {
-          double least = std::numeric_limits<double>::max();
-          grid.for_each_near(m_cloud.points[point], [&](Index i, double squared_distance) {
-            if (squared_distance < least || (squared_distance == least && i < result[point])) {
-              least = squared_distance;
-              result[point] = i;
-            }
-          });
-        }
-      }
+    const Point_grid grid(m_radius, points);
+    const Point_tree tree(points); // averaged points may have moved out of the radius
+    std::vector<Index> result;
+    result.reserve(m_cloud.points.size());
+    for (const Vector3& point : m_cloud.points) {
+      std::pair<double, Index> least{std::numeric_limits<double>::max(), no_index};
+      grid.for_each_near(point, [&](Index i, double squared_distance) {
+        least = std::min(least, {squared_distance, i});
+      });
+      result.push_back(least.second == no_index ? tree.nearest(point) : least.second);
     }
-    const Point_tree tree(points);
-    for (Index point = 0; point < result.size(); ++point) {
-      result[point] = result[point] == no_index ? tree.nearest(m_cloud.points[point]) : result[point];
+    return result;
+  }
+
+  /// The places of `points` of the cloud.
+  std::vector<Vector3> at(const std::vector<Index>& points) const
+  {
+    std::vector<Vector3> result;
+    result.reserve(points.size());
+    for (const Index point : points) {
+      result.push_back(m_cloud.points[point]);
     }
     return result;
   }
 
   /// \param kept for every one of `points`, the point of the cloud that it came from
-  Point_cloud make_cloud(std::vector<Vector3>&& points, const std::vector<Index>& kept, bool is_averaged) const
+  /// \param representative for every point of the cloud, the number of one in `points`
+  Point_cloud make_cloud(std::vector<Vector3>&& points, const std::vector<Index>& kept,
+                         const std::vector<Index>& representative) const
   {
-    const std::vector<Index> representative = nearest(points);
     std::vector<Vector3> normals;
     if (!m_cloud.normals.empty()) {
       for (Index point : kept) {
@@ -396,6 +368,7 @@ private:
       }
     }
     Point_cloud result;
+    result.normalization = m_cloud.normalization.then(normalize_extent(points));
     merge_and_sort(std::move(points), std::move(normals), result);
     sort_canonically(result);
     const std::vector<Index> new_point = std::move(result.input_point);
@@ -403,15 +376,12 @@ private:
     for (Index point : m_cloud.input_point) {
       result.input_point.push_back(new_point[representative[point]]);
     }
-    result.normalization = m_cloud.normalization;
-    result.number_of_thinned_points = m_number_of_outliers + m_cloud.points.size() - result.points.size();
-    result.is_averaged = is_averaged;
+    result.number_of_thinned_points = m_cloud.number_of_thinned_points + m_cloud.points.size() - result.points.size();
     return result;
   }
 
   Point_cloud m_cloud;
   std::size_t m_number_of_outliers = 0;
-  bool m_is_space_filled = false; // by outliers
   double m_area = 0;
   double m_radius = 0;
   double m_noise = 0;

@@ -13,13 +13,16 @@
 #include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -82,13 +85,71 @@ std::vector<std::vector<Index>> region_meetings(const Surface& surface, const Re
   return collect_meetings(surface, region, networks, cycles);
 }
 
+/// Which vertices of a surface are in the largest connected part of their region; not those without a region.
+inline std::vector<char> largest_parts(const Triangulated_surface& surface, const std::vector<Index>& region)
+{
+  const auto n = Index(region.size());
+  Disjoint_sets joined(n);
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if (region[surface.origin(h)] == region[surface.target(h)]) {
+      joined.join(surface.origin(h), surface.target(h));
+    }
+  }
+  Index number_of_parts = 0;
+  const std::vector<Index> part = joined.numbers(number_of_parts);
+  std::vector<Index> size(number_of_parts, 0);
+  for (const Index its_part : part) {
+    ++size[its_part];
+  }
+  std::map<Index, Index> largest; // of each region, the part; the first one, of several
+  for (Index vertex = 0; vertex < n; ++vertex) {
+    Index& best = largest.emplace(region[vertex], part[vertex]).first->second;
+    best = size[part[vertex]] > size[best] ? part[vertex] : best;
+  }
+  std::vector<char> result(n, 0);
+  for (Index vertex = 0; vertex < n; ++vertex) {
+    result[vertex] = region[vertex] != no_index && largest[region[vertex]] == part[vertex] ? 1 : 0;
+  }
+  return result;
+}
+
+/// For each vertex of the closed surface of a complex, its region; each region is connected. `no_index` in components
+/// where no region has its largest part. O(n log n).
+/// \param region returns the region of a vertex of the complex
+template <class Region>
+std::vector<Index> regions_on(const Closed_complex& closed, const Region& region)
+{
+  const Triangulated_surface& surface = closed.surface();
+  std::vector<Index> result(surface.number_of_vertices(), no_index);
+  for (Index vertex = 0; vertex < result.size(); ++vertex) {
+    const Index in_complex = closed.vertex_in_complex(vertex);
+    result[vertex] = in_complex != no_index ? region(in_complex) : no_index;
+  }
+  const std::vector<char> is_kept = largest_parts(surface, result);
+  Multi_source_dijkstra_search front(result.size());
+  for (Index vertex = 0; vertex < result.size(); ++vertex) {
+    if (is_kept[vertex] != 0) {
+      front.reach(vertex, 0, result[vertex]);
+    }
+  }
+  front.spread([&surface](Index vertex, const auto& visit) {
+    for (const Index halfedge : surface.outgoing(vertex)) {
+      visit(surface.target(halfedge), float(surface.length(halfedge)));
+    }
+  });
+  for (Index vertex = 0; vertex < result.size(); ++vertex) {
+    result[vertex] = front.label(vertex);
+  }
+  return result;
+}
+
 /// The same of points: of the closed surface that the complex is a part of, since holes and bridges between sheets
 /// would make cycles.
 template <class Region>
 std::vector<std::vector<Index>> region_meetings(const Point_complex& complex, const Region& region)
 {
   const Closed_complex closed(complex);
-  const std::vector<Index> regions = closed.regions(region);
+  const std::vector<Index> regions = regions_on(closed, region);
   return region_meetings(closed.surface(), [&regions](Index vertex) { return regions[vertex]; });
 }
 

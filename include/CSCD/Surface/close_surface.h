@@ -84,6 +84,37 @@ public:
     return cycles.size();
   }
 
+  /// Closes the hole with these corners, counterclockwise as its faces will be.
+  void close(std::vector<Index>& hole)
+  {
+    start_at_min_point(hole);
+    Open_polygon polygon(hole);
+    m_ears = {};
+    for (Index corner = 0; corner < polygon.size; ++corner) {
+      push_ear(polygon, corner);
+    }
+    Index some_corner = 0;
+    while (polygon.size > 3 && !m_ears.empty()) {
+      const Ear ear = m_ears.top();
+      m_ears.pop();
+      const std::array<Index, 3> triangle = polygon.triangle(ear.corner);
+      if (ear.version != polygon.version[ear.corner] || m_edges.count(edge(triangle[0], triangle[2])) != 0) {
+        continue;
+      }
+      m_triangles.faces.push_back(triangle);
+      m_edges.insert(edge(triangle[0], triangle[2]));
+      polygon.remove(ear.corner);
+      some_corner = polygon.next[ear.corner];
+      push_ear(polygon, polygon.previous[ear.corner]);
+      push_ear(polygon, polygon.next[ear.corner]);
+    }
+    if (polygon.size == 3) {
+      m_triangles.faces.push_back(polygon.triangle(some_corner));
+    } else {
+      close_by_fan(polygon, some_corner);
+    }
+  }
+
 private:
   /// A corner of the hole that may be cut off, valid while its version is that of the corner.
   struct Ear
@@ -142,36 +173,6 @@ private:
     if (m_edges.count(edge(ear[0], ear[2])) == 0) {
       const double squared_diagonal = (m_triangles.points[ear[0]] - m_triangles.points[ear[2]]).squaredNorm();
       m_ears.push({squared_diagonal, corner, polygon.version[corner]});
-    }
-  }
-
-  void close(std::vector<Index>& hole)
-  {
-    start_at_min_point(hole);
-    Open_polygon polygon(hole);
-    m_ears = {};
-    for (Index corner = 0; corner < polygon.size; ++corner) {
-      push_ear(polygon, corner);
-    }
-    Index some_corner = 0;
-    while (polygon.size > 3 && !m_ears.empty()) {
-      const Ear ear = m_ears.top();
-      m_ears.pop();
-      const std::array<Index, 3> triangle = polygon.triangle(ear.corner);
-      if (ear.version != polygon.version[ear.corner] || m_edges.count(edge(triangle[0], triangle[2])) != 0) {
-        continue;
-      }
-      m_triangles.faces.push_back(triangle);
-      m_edges.insert(edge(triangle[0], triangle[2]));
-      polygon.remove(ear.corner);
-      some_corner = polygon.next[ear.corner];
-      push_ear(polygon, polygon.previous[ear.corner]);
-      push_ear(polygon, polygon.next[ear.corner]);
-    }
-    if (polygon.size == 3) {
-      m_triangles.faces.push_back(polygon.triangle(some_corner));
-    } else {
-      close_by_fan(polygon, some_corner);
     }
   }
 
