@@ -6,7 +6,7 @@
 # Each module after the modules that it links.
 set(cscd_parts core measure tree application io)
 
-set(cscd_core_sources consolidation.cpp mesh_pipeline.cpp points.cpp published_method.cpp)
+set(cscd_core_sources mesh_pipeline.cpp points.cpp published_method.cpp)
 set(cscd_measure_sources
     Measure/Rooted_forest.cpp
     Measure/Skeleton_branches.cpp

@@ -6,6 +6,7 @@
 
 #include "Progress_bar.h"
 #include "types.h"
+#include "wrap.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Graph_policies.h>
 #include <CSCD/IO/write_correspondence.h>
@@ -188,7 +189,11 @@ Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_opt
 {
 #ifndef CSCD_LOCAL_METHOD_ONLY
   if (options.wrap) {
-    wrap_mesh(input, *options.wrap);
+    Input wrapped = make_input(
+        CSCD::internal::make_manifold(wrap_mesh(input.points, input.faces, *options.wrap), "the wrap").triangles);
+    input.points = std::move(wrapped.points);
+    input.faces = std::move(wrapped.faces);
+    input.is_wrapped = true;
   }
 #endif
   if (options.method == published_method) {

@@ -135,12 +135,6 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
 /// \pre `input` has kept the contents of the file
 std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result);
 
-/// Replaces the mesh of `input` by the surface that CGAL's alpha wrapping puts around it: closed, without parts that
-/// cut each other, and solid where the inside is reached by narrow holes only. It does not keep the vertices.
-/// \param size holes, gaps and hollows that are narrower are closed; relative to the diagonal of the bounding box
-/// \throw CSCD::Input_error if nothing can be wrapped
-void wrap_mesh(Input& input, double size);
-
 /// Skeletonizes `input`, which messages call by the name that `options` have for it. Nothing is written. If it is a
 /// point set, its mesh becomes the surface made of the points.
 /// \param progress is informed, or is empty

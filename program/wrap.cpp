@@ -3,8 +3,8 @@
 //
 // One closed surface around a mesh of any kind.
 
-#include "types.h"
-#include <CSCD/IO/read_triangle_mesh.h>
+#include "wrap.h"
+
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace cscd {
@@ -48,32 +47,26 @@ CSCD::Shape_file to_soup(const Wrap& wrap)
 
 } // namespace
 
-void wrap_mesh(Input& input, double size)
+CSCD::Shape_file wrap_mesh(const std::vector<CSCD::Vector3>& points,
+                           const std::vector<std::array<CSCD::Index, 3>>& faces, double size)
 {
   // The distance of the wrap from the mesh, relative to the size of closed gaps, as in CGAL's examples.
   constexpr double offset = 1. / 30;
-  std::vector<Exact_kernel::Point_3> points;
+  std::vector<Exact_kernel::Point_3> exact_points;
   CGAL::Bbox_3 box;
-  for (const Vector3& p : input.points) {
-    points.emplace_back(p.x(), p.y(), p.z());
-    box += points.back().bbox();
-  }
-  std::vector<std::array<std::size_t, 3>> faces;
-  for (const auto& [a, b, c] : input.faces) {
-    faces.push_back({a, b, c});
+  for (const CSCD::Vector3& p : points) {
+    exact_points.emplace_back(p.x(), p.y(), p.z());
+    box += exact_points.back().bbox();
   }
   const double alpha = size * diagonal(box);
   Wrap wrap;
   if (alpha > 0) {
-    CGAL::alpha_wrap_3(points, faces, alpha, offset * alpha, wrap);
+    CGAL::alpha_wrap_3(exact_points, faces, alpha, offset * alpha, wrap);
   }
   if (wrap.is_empty()) {
     throw CSCD::Input_error("cannot be wrapped; leave --wrap out");
   }
-  Input wrapped = make_input(CSCD::internal::make_manifold(to_soup(wrap), "the wrap").triangles);
-  input.points = std::move(wrapped.points);
-  input.faces = std::move(wrapped.faces);
-  input.is_wrapped = true;
+  return to_soup(wrap);
 }
 
 } // namespace cscd

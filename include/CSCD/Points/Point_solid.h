@@ -8,8 +8,8 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
@@ -18,6 +18,31 @@
 #include <vector>
 
 namespace CSCD {
+namespace internal {
+
+/// A complex with its holes closed, its fragments joined, and bridges between sheets cut, as where a surface is made of
+/// points: it shows which parts are connected.
+class Closed_complex
+{
+public:
+  /// O(n log n) where false handles are few.
+  explicit Closed_complex(const Point_complex& complex);
+
+  /// The closed surface.
+  const Triangulated_surface& surface() const { return m_surface; }
+
+  /// The vertex of the complex that a vertex of the surface is; `no_index` for inserted and second ones.
+  Index vertex_in_complex(Index vertex) const
+  {
+    return vertex < m_vertex_in_complex.size() ? m_vertex_in_complex[vertex] : no_index;
+  }
+
+private:
+  Triangulated_surface m_surface;
+  std::vector<Index> m_vertex_in_complex;
+};
+
+} // namespace internal
 
 /// Points joined by the triangles that their neighborhoods agree on, and the queries for the body that they enclose:
 /// that of the closed surface which the triangles are a part of. The model of `SkeletonizationSurface` for point clouds
@@ -40,6 +65,8 @@ public:
   std::size_t number_of_components() const { return m_complex.number_of_components(); }
   /// For every point of the cloud its vertex, or that of the nearest point that has one.
   const std::vector<Index>& vertex_of_point() const { return m_vertex_of_point; }
+  /// The closed surface that the triangles are a part of.
+  const internal::Closed_complex& closed() const { return m_closed; }
 
   /// \name Body
   /// @{
@@ -63,6 +90,13 @@ private:
   internal::Solid_queries m_queries; // of the closed surface
 };
 
+namespace internal {
+
+/// The complex of the triangulation of `cloud`, with gaps of a few edges closed: shortest paths would go around these.
+/// \throw Input_error if no triangle can be made
+Point_complex build_point_complex(const Point_cloud& cloud);
+
+} // namespace internal
 } // namespace CSCD
 
 #ifndef CSCD_COMPILED

@@ -8,10 +8,28 @@
 
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Point_solid.h>
+#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Points/build_point_complex.h>
 
+#include <utility>
+
 namespace CSCD {
+
+CSCD_INLINE internal::Closed_complex::Closed_complex(const Point_complex& complex)
+{
+  Reconstructed_surface completed;
+  completed.triangles.points = complex.points();
+  for (Index face = 0; face < complex.number_of_faces(); ++face) {
+    completed.triangles.faces.push_back(complex.face_vertices(face));
+  }
+  Surface_completion complete(completed, Normalization());
+  complete.prepare();
+  complete();
+  m_surface = Triangulated_surface(std::move(completed.triangles));
+  m_vertex_in_complex = std::move(completed.point_of_vertex);
+}
 
 CSCD_INLINE Point_solid::Point_solid(const Point_cloud& cloud)
     : m_complex(drop_fragments(internal::build_point_complex(cloud), m_vertex_of_point)), m_closed(m_complex),

@@ -200,44 +200,6 @@ private:
   std::size_t m_number_of_components = 0;
 };
 
-/// A complex with its holes closed, its fragments joined, and bridges between sheets cut, as where a surface is made of
-/// points: it shows which parts are connected.
-class Closed_complex
-{
-public:
-  /// O(n log n) where false handles are few.
-  explicit Closed_complex(const Point_complex& complex)
-      : m_completed(complete(complex)), m_surface(Indexed_triangles(m_completed.triangles))
-  {
-  }
-
-  /// The closed surface.
-  const Triangulated_surface& surface() const { return m_surface; }
-
-  /// The vertex of the complex that a vertex of the surface is; `no_index` for inserted and second ones.
-  Index vertex_in_complex(Index vertex) const
-  {
-    return vertex < m_completed.point_of_vertex.size() ? m_completed.point_of_vertex[vertex] : no_index;
-  }
-
-private:
-  static Reconstructed_surface complete(const Point_complex& complex)
-  {
-    Reconstructed_surface result;
-    result.triangles.points = complex.points();
-    for (Index face = 0; face < complex.number_of_faces(); ++face) {
-      result.triangles.faces.push_back(complex.face_vertices(face));
-    }
-    Surface_completion complete(result, Normalization());
-    complete.prepare();
-    complete();
-    return result;
-  }
-
-  Reconstructed_surface m_completed;
-  Triangulated_surface m_surface;
-};
-
 } // namespace CSCD::internal
 
 #endif // CSCD_POINTS_SURFACE_COMPLETION_H

@@ -15,6 +15,7 @@
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <Eigen/Core>
@@ -532,9 +533,7 @@ private:
   std::vector<char> m_is_met; ///< the halfedges around gaps
 };
 
-/// The complex of the triangulation of `cloud`, with gaps of a few edges closed: shortest paths would go around these.
-/// \throw Input_error if no triangle can be made
-inline Point_complex build_point_complex(const Point_cloud& cloud)
+CSCD_INLINE Point_complex build_point_complex(const Point_cloud& cloud)
 {
   Triangulated_cloud triangulated = triangulate_cloud(cloud);
   if (triangulated.triangles.empty()) {

@@ -7,7 +7,7 @@
 #define CSCD_PUBLISHED_CUT_LOCUS_EXTRACTION_IMPL_H
 
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/build_point_complex.h>
+#include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Cotangent_elements.h>
 #include <CSCD/Published/Cut_locus_extraction.h>
 #include <CSCD/Published/Cut_locus_indicators.h>

@@ -6,7 +6,7 @@
 #ifndef CSCD_PUBLISHED_PREPARED_DISTANCES_IMPL_H
 #define CSCD_PUBLISHED_PREPARED_DISTANCES_IMPL_H
 
-#include <CSCD/Points/build_point_complex.h>
+#include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Prepared_distances.h>

@@ -6,8 +6,7 @@
 #ifndef CSCD_PUBLISHED_QUOTIENT_SKELETON_H
 #define CSCD_PUBLISHED_QUOTIENT_SKELETON_H
 
-#include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/Surface_completion.h>
+#include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Inside_routing.h>
@@ -65,7 +64,7 @@ std::vector<std::vector<Index>> collect_meetings(const Surface& surface, const R
 /// \return for each connected part of the network, the regions of the border cycles around it, two at least; a region
 ///         with several cycles there stands several times
 template <class Surface, class Region>
-std::vector<std::vector<Index>> region_meetings(const Surface& surface, const Region& region)
+std::vector<std::vector<Index>> meetings_on_triangulation(const Surface& surface, const Region& region)
 {
   Disjoint_sets networks(surface.number_of_halfedges()); // of edges between regions
   // Of halfedges that leave a region: its border cycle has a point on each of them.
@@ -143,14 +142,19 @@ std::vector<Index> regions_on(const Closed_complex& closed, const Region& region
   return result;
 }
 
-/// The same of points: of the closed surface that the complex is a part of, since holes and bridges between sheets
+/// Where regions meet on the triangulation of a surface.
+template <class Surface, class Region>
+std::vector<std::vector<Index>> region_meetings(const Surface& surface, const Region& region)
+{
+  return meetings_on_triangulation(surface.triangulation(), region);
+}
+/// The same of points: on the closed surface that their triangles are a part of, since holes and bridges between sheets
 /// would make cycles.
 template <class Region>
-std::vector<std::vector<Index>> region_meetings(const Point_complex& complex, const Region& region)
+std::vector<std::vector<Index>> region_meetings(const Point_solid& solid, const Region& region)
 {
-  const Closed_complex closed(complex);
-  const std::vector<Index> regions = regions_on(closed, region);
-  return region_meetings(closed.surface(), [&regions](Index vertex) { return regions[vertex]; });
+  const std::vector<Index> regions = regions_on(solid.closed(), region);
+  return meetings_on_triangulation(solid.closed().surface(), [&regions](Index vertex) { return regions[vertex]; });
 }
 
 /// The radius of what a vertex stands for: nothing but itself on a surface. There are overloads of this, of
@@ -196,7 +200,7 @@ public:
     Skeleton_builder& builder = result.graph;
     place_regions(builder);
     for (const std::vector<Index>& meeting :
-         region_meetings(m_triangulation, [this](Index vertex) { return m_regions[vertex]; })) {
+         region_meetings(m_surface, [this](Index vertex) { return m_regions[vertex]; })) {
       connect(builder, meeting);
     }
     if (m_place_nodes) {
