@@ -116,13 +116,6 @@ private:
   static constexpr double min_opening_cosine = 0.3;
   /// A component without separators is this deep behind its border, relative to the radius: it is not a sheet.
   static constexpr double min_depth = 1.5;
-  /// Elsewhere, a border ends a stump, too short for a separator, if it is this far from the middle of its piece,
-  /// relative to the radius of the body there, ...
-  static constexpr double min_stump_length = 1.6;
-  /// ... has this radius, likewise, ...
-  static constexpr double min_stump_radius = 0.3;
-  /// ... and if the cosine of the angle between its normal and the stump is at least this.
-  static constexpr double min_stump_cosine = 0.5;
   /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius.
   static constexpr double min_depth_of_node = 0.5;
   /// The node of an opening is this far inside of the border, relative to its radius.
@@ -155,24 +148,12 @@ private:
       return m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
     }
     if (around.size() > 1) {
-      return border.pieces.size() == 1 && ends_stump(border, piece);
+      return false;
     }
     const Separator& separator = m_cut.separator(last_separator(border, piece));
     const double side = separator.normal.dot(border.centroid - separator.center) < 0 ? -1 : 1;
     return border.length >= min_opening_length * separator.length &&
            side * separator.normal.dot(border.normal) >= min_opening_cosine;
-  }
-
-  bool ends_stump(const Bridged_border& border, Index piece) const
-  {
-    double radius = 0;
-    for (Index i : m_cut.around(piece)) {
-      radius = std::max(radius, m_cut.separator(i).radius());
-    }
-    const std::optional<Vector3> centroid = m_pieces.centroid(piece);
-    const Vector3 stump = centroid ? Vector3(border.centroid - *centroid) : Vector3::Zero();
-    return stump.norm() >= min_stump_length * radius && border.radius >= min_stump_radius * radius &&
-           border.normal.dot(stump) >= min_stump_cosine * stump.norm();
   }
 
   /// The last separator of the limb that ends in `piece` before separators that cross `border`, as many do where the
