@@ -22,8 +22,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -330,13 +332,14 @@ Skeleton join_components(const Skeleton& skeleton)
   return simplify_skeleton(Skeleton(skeleton), {}, parameters, nullptr).skeleton;
 }
 
-Bounding_box box_of(const std::vector<Vector3>& points)
+/// The largest side of the box of `points`.
+double size_of(const std::vector<Vector3>& points)
 {
   Bounding_box box;
   for (const Vector3& point : points) {
     box.extend(point);
   }
-  return box;
+  return (box.max() - box.min()).maxCoeff();
 }
 
 /// Integrals over a solid of 1, of the position, and of its square, about some origin.
@@ -358,12 +361,15 @@ struct Solid_moments
     }
   }
 
+  /// The covariance of the positions in the solid.
+  Moment_matrix covariance() const { return (second - Moment_matrix::product(first / volume, first)) / volume; }
+
   /// The volume over the volume of the ellipsoid that has the same second moments about its center: at most 1.
   double share_of_ellipsoid() const
   {
     constexpr double ball = 4 * boost::math::double_constants::pi / 3; // volume at radius 1, ...
     constexpr double moment = 1. / 5;                                  // ... and mean square of a coordinate
-    const Moment_matrix square = (second - Moment_matrix::product(first / volume, first)) / (moment * volume);
+    const Moment_matrix square = covariance() / moment;
     const double determinant = square.columns[0].dot(square.columns[1].cross(square.columns[2]));
     return std::abs(volume) / (ball * std::sqrt(determinant));
   }
@@ -413,8 +419,8 @@ Index find_body_with_fins(const std::vector<Solid_moments>& moments)
 /// The spine of a body with fins; nothing of other bodies.
 ///
 /// Its skeleton may lie across, as a fish may be taller than long without its tail. So the spine is straight, through
-/// the center of the body, along the longest side of the box around all parts. It begins at the end nearer to the
-/// center.
+/// the center of the body, along the principal axis of the body that all parts together are longest along. It begins at
+/// the end nearer to the center.
 std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root)
 {
   constexpr double margin = 0.05;      // of the spine at both ends, in lengths of the body
@@ -436,31 +442,42 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
     return std::nullopt;
   }
 
-  const Vector3 sides = box_of(surface.points).max() - box_of(surface.points).min();
-  const auto axis = std::size_t(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  // The least and the largest coordinate along an axis, of the body or of all parts.
+  const auto range = [&](const Vector3& axis, bool is_of_body) {
+    std::pair<double, double> result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (Index v = 0; v < surface.points.size(); ++v) {
+      if (!is_of_body || part_of(v) == body) {
+        result.first = std::min(result.first, axis.dot(surface.points[v]));
+        result.second = std::max(result.second, axis.dot(surface.points[v]));
+      }
+    }
+    return result;
+  };
+  const std::array<Vector3, 3> axes = principal_axes(moments[body].covariance()).vectors;
+  const auto extent = [&](const Vector3& axis) {
+    const auto [low, high] = range(axis, false);
+    return high - low;
+  };
+  const Vector3 axis = *std::max_element(axes.begin(), axes.end(),
+                                         [&](const Vector3& a, const Vector3& b) { return extent(a) < extent(b); });
   const double volume = moments[body].volume;
   const Vector3 center = parts.points[body] + moments[body].first / volume;
-  Bounding_box box;
-  for (Index v = 0; v < surface.points.size(); ++v) {
-    if (part_of(v) == body) {
-      box.extend(surface.points[v]);
-    }
-  }
-  const double length = box.max()[axis] - box.min()[axis];
-  const bool is_upwards = center[axis] - box.min()[axis] < box.max()[axis] - center[axis];
+  const double middle = axis.dot(center);
+  const auto [low, high] = range(axis, true);
+  const double length = high - low;
+  const bool is_upwards = middle - low < high - middle;
   const double along = is_upwards ? length : -length;
-  const double first = (is_upwards ? box.min() : box.max())[axis] + margin * along;
+  const double first = (is_upwards ? low : high) + margin * along;
   const double step = (1 - 2 * margin) * along / (number_of_nodes - 1);
   const auto node_at = [&](const Vector3& point) {
-    return Index(std::clamp(std::round((point[axis] - first) / step), 0., double(number_of_nodes - 1)));
+    return Index(std::clamp(std::round((axis.dot(point) - first) / step), 0., double(number_of_nodes - 1)));
   };
   Rig_axis result{{}, surface.node_of_vertex, std::vector<Index>(number_of_nodes, no_index), 0};
   // The radius of a cylinder as large and long.
   result.skeleton.radii.assign(number_of_nodes,
                                std::sqrt(std::abs(volume) / (boost::math::double_constants::pi * length)));
   for (Index node = 0; node < number_of_nodes; ++node) {
-    result.skeleton.points.push_back(center);
-    result.skeleton.points.back()[axis] = first + node * step;
+    result.skeleton.points.push_back(center + (first + node * step - middle) * axis);
     if (node > 0) {
       result.skeleton.edges.push_back({node - 1, node});
     }
@@ -493,8 +510,7 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
     axis = axis_of_limbs(parts, surface, root);
   }
   const Skeleton& skeleton = axis->skeleton;
-  const Bounding_box box = box_of(surface.points);
-  const Joint_weights weights(skeleton, axis->root, (box.max() - box.min()).maxCoeff(), axis->branch_of_node);
+  const Joint_weights weights(skeleton, axis->root, size_of(surface.points), axis->branch_of_node);
   Rig rig{weights.joints(), {}};
   rig.influences.reserve(surface.points.size());
   double sum_of_radii = 0;

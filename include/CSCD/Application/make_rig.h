@@ -73,8 +73,8 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 /// they are thinnest.
 ///
 /// Where one of several components holds nine tenths of the volume and of an ellipsoid, as the body of a fish with
-/// fins and eyes, there are seven joints on a straight spine: through its center, along the longest side of the box
-/// around all components.
+/// fins and eyes, there are seven joints on a straight spine: through its center, along the principal axis that all
+/// components together are longest along.
 ///
 /// A vertex is moved by the joint before its place on the skeleton, which is the point of the edges at its node that is
 /// nearest to it. Up to one radius before and after a joint, the weights go over from one joint to the other by a cubic

@@ -210,8 +210,10 @@ private:
       const double reach = neighbors.reach(i);
       deviations.push_back(fit_quadric(points, i, neighbors.neighbors(i), reach).deviation / reach);
     }
-    if (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
-        quantile(deviations, 0.5) > deviation_in_space) {
+    m_is_space_filled =
+        m_is_space_filled || (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
+                              quantile(deviations, 0.5) > deviation_in_space);
+    if (m_is_space_filled) {
       return lonely;
     }
     std::vector<Index> result;
@@ -382,6 +384,7 @@ private:
 
   Point_cloud m_cloud;
   std::size_t m_number_of_outliers = 0;
+  bool m_is_space_filled = false; // by outliers
   double m_area = 0;
   double m_radius = 0;
   double m_noise = 0;

@@ -215,6 +215,9 @@ private:
   /// ... and its half width has fallen by this part of that distance: all of it, if one end is cut
   /// off.
   static constexpr double min_loss = 0.75;
+  /// The tangent of the angle between the sections tried for the shortest one, and the number of rounds.
+  static constexpr double turn = 0.15;
+  static constexpr int number_of_turns = 5;
   /// A bound for the steps towards a point, near which they get shorter and shorter.
   static constexpr int max_steps = 64;
 
@@ -284,7 +287,35 @@ private:
       return false;
     }
     m_direction = way.normalized();
+    for (int i = 0; i < number_of_turns; ++i) {
+      turn_to_shortest_section();
+    }
     return true;
+  }
+
+  /// Turns the direction until the section here is shortest, as that of a parabola through three lengths, and goes to
+  /// its middle.
+  void turn_to_shortest_section()
+  {
+    const Vector3 aside =
+        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
+    std::array<double, 3> half_width{};
+    for (std::size_t k = 0; k < half_width.size(); ++k) {
+      if (!m_section(m_position, m_direction + (double(k) - 1) * turn * aside, m_half_width)) {
+        return;
+      }
+      half_width[k] = m_section.half_width();
+    }
+    const double slope = half_width[2] - half_width[0];
+    const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
+    const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
+    const Vector3 direction = (m_direction + change * turn * aside).normalized();
+    const std::optional<Vector3> middle = m_section(m_position, direction, m_half_width);
+    if (middle && (*middle - m_position).norm() < m_half_width) {
+      m_position = *middle;
+      m_direction = direction;
+      m_half_width = m_section.half_width();
+    }
   }
 
   const Triangulated_solid& m_solid;
