@@ -146,32 +146,30 @@ TEST(Make_rig, joins_components_to_one_body)
 
 TEST(Make_rig, a_body_with_fins_has_a_spine)
 {
-  using CSCD::test::translated;
+  using CSCD::test::ellipsoid, CSCD::test::merged, CSCD::test::moved, CSCD::test::translated, CSCD::test::Triple;
   const CSCD::test::Shape body = // taller than long, and thinner behind
-      CSCD::test::moved(CSCD::test::ellipsoid({3, 1, 4}, 3), [](const CSCD::test::Triple& p) {
-        return CSCD::test::Triple{p[0] < 0 ? p[0] : 1.5 * p[0], p[1], p[2]};
+      moved(ellipsoid({3, 1, 4}, 3), [](const Triple& p) {
+        return Triple{p[0] < 0 ? p[0] : 1.5 * p[0], p[1], p[2]};
       });
-  const CSCD::test::Shape fin = CSCD::test::ellipsoid({1.5, 0.1, 0.5}, 2);
-  const CSCD::test::Shape whole =
-      CSCD::test::merged("fish", {body, translated(fin, {6, 0, 0}), translated(fin, {7, 0, 2})});
-  const auto turn = [](const CSCD::test::Triple& p, double cosine, double sine) {
-    return CSCD::test::Triple{cosine * p[0] - sine * p[2], p[1], sine * p[0] + cosine * p[2]};
+  const CSCD::test::Shape fin = ellipsoid({1.5, 0.1, 0.5}, 2);
+  const CSCD::test::Shape whole = merged("fish", {body, translated(fin, {6, 0, 0}), translated(fin, {7, 0, 2})});
+  const auto turn = [](const Triple& p, double cosine, double sine) {
+    return Triple{cosine * p[0] - sine * p[2], p[1], sine * p[0] + cosine * p[2]};
   };
-  const Rigged_shape fish(CSCD::test::moved(whole, [&](const auto& p) { return turn(p, 0.8, 0.6); }));
+  const Rigged_shape fish(moved(whole, [&](const auto& p) { return turn(p, 0.8, 0.6); }));
   ASSERT_EQ(7u, fish.rig.joints.size());
   for (std::size_t j = 0; j < 7; ++j) {
     const CSCD::Rig_joint& joint = fish.rig.joints[j];
     EXPECT_EQ("spine_" + std::to_string(j), name(joint));
     EXPECT_EQ(j == 6, joint.is_tip);
-    const CSCD::test::Triple point = turn({joint.point.x(), joint.point.y(), joint.point.z()}, 0.8, -0.6);
+    const Triple point = turn({joint.point.x(), joint.point.y(), joint.point.z()}, 0.8, -0.6);
     EXPECT_NEAR(-2.625 + 1.125 * double(j), point[0], 0.01) << "from end to end of the body";
     EXPECT_NEAR(0, std::hypot(point[1], point[2]), 0.01);
   }
   for (const CSCD::Rig::Influences& influences : fish.rig.influences) {
     EXPECT_NEAR(1, influences[0].weight + influences[1].weight + influences[2].weight + influences[3].weight, 1e-12);
   }
-  EXPECT_NE("spine_0",
-            name(Rigged_shape(CSCD::test::merged("two", {body, translated(body, {9, 0, 0})})).rig.joints[0]));
+  EXPECT_NE("spine_0", name(Rigged_shape(merged("two", {body, translated(body, {9, 0, 0})})).rig.joints[0]));
   EXPECT_NE("spine_0", name(Rigged_shape(body).rig.joints[0]));
 }
 

@@ -19,7 +19,6 @@
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -22,7 +22,6 @@
 #include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace {
 
