@@ -384,23 +384,9 @@ struct Rig_axis
   Index root = no_index;
 };
 
-/// The part of each node, as one of its nodes.
-std::vector<Index> parts_of_nodes(const Skeleton& skeleton)
-{
-  Disjoint_sets sets(skeleton.number_of_nodes());
-  for (const auto& [a, b] : skeleton.edges) {
-    sets.join(a, b);
-  }
-  std::vector<Index> result(skeleton.number_of_nodes());
-  for (Index node = 0; node < result.size(); ++node) {
-    result[node] = sets.find(node);
-  }
-  return result;
-}
-
 /// The part that is the body of a fish, the other ones being its fins and eyes: it is compact, and nearly all of the
 /// volume. No part of other shapes.
-/// \param moments of each part, about the node that stands for it
+/// \param moments of each part
 Index find_body_with_fins(const std::vector<Solid_moments>& moments)
 {
   constexpr double min_share_of_volume = 0.9;    // fish have 0.92 to 0.98, a spider 0.89
@@ -425,15 +411,20 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
 {
   constexpr double margin = 0.05;      // of the spine at both ends, in lengths of the body
   constexpr Index number_of_nodes = 7; // for as many joints as a limb may have
-  const std::vector<Index> part = parts_of_nodes(parts);
+  Disjoint_sets sets(parts.number_of_nodes());
+  for (const auto& [a, b] : parts.edges) {
+    sets.join(a, b);
+  }
+  Index number_of_parts = 0;
+  const std::vector<Index> part = sets.numbers(number_of_parts);
   const auto part_of = [&](Index vertex) {
     const Index node = surface.node_of_vertex[vertex];
     return node == no_index ? no_index : part[node];
   };
-  std::vector<Solid_moments> moments(part.size());
+  std::vector<Solid_moments> moments(number_of_parts);
+  const Vector3& origin = parts.points.front();
   for (const auto& [a, b, c] : surface.triangles) {
     if (const Index its_part = part_of(a); its_part != no_index) {
-      const Vector3& origin = parts.points[its_part];
       moments[its_part].add(surface.points[a] - origin, surface.points[b] - origin, surface.points[c] - origin);
     }
   }
@@ -458,17 +449,17 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
     const auto [low, high] = range(axis, false);
     return high - low;
   };
-  const Vector3 axis = *std::max_element(axes.begin(), axes.end(),
-                                         [&](const Vector3& a, const Vector3& b) { return extent(a) < extent(b); });
+  Vector3 axis = *std::max_element(axes.begin(), axes.end(),
+                                   [&](const Vector3& a, const Vector3& b) { return extent(a) < extent(b); });
   const double volume = moments[body].volume;
-  const Vector3 center = parts.points[body] + moments[body].first / volume;
-  const double middle = axis.dot(center);
+  const Vector3 center = origin + moments[body].first / volume;
+  if (const auto [low, high] = range(axis, true); high - axis.dot(center) < axis.dot(center) - low) {
+    axis = -axis;
+  }
   const auto [low, high] = range(axis, true);
   const double length = high - low;
-  const bool is_upwards = middle - low < high - middle;
-  const double along = is_upwards ? length : -length;
-  const double first = (is_upwards ? low : high) + margin * along;
-  const double step = (1 - 2 * margin) * along / (number_of_nodes - 1);
+  const double first = low + margin * length;
+  const double step = (1 - 2 * margin) * length / (number_of_nodes - 1);
   const auto node_at = [&](const Vector3& point) {
     return Index(std::clamp(std::round((axis.dot(point) - first) / step), 0., double(number_of_nodes - 1)));
   };
@@ -477,7 +468,7 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
   result.skeleton.radii.assign(number_of_nodes,
                                std::sqrt(std::abs(volume) / (boost::math::double_constants::pi * length)));
   for (Index node = 0; node < number_of_nodes; ++node) {
-    result.skeleton.points.push_back(center + (first + node * step - middle) * axis);
+    result.skeleton.points.push_back(center + (first + node * step - axis.dot(center)) * axis);
     if (node > 0) {
       result.skeleton.edges.push_back({node - 1, node});
     }

@@ -20,6 +20,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -334,7 +335,7 @@ private:
   std::vector<Index> nearest(const std::vector<Vector3>& points) const
   {
     const Point_grid grid(m_radius, points);
-    const Point_tree tree(points); // averaged points may have moved out of the radius
+    std::optional<Point_tree> tree; // if averaged points have moved out of the radius
     std::vector<Index> result;
     result.reserve(m_cloud.points.size());
     for (const Vector3& point : m_cloud.points) {
@@ -342,7 +343,10 @@ private:
       grid.for_each_near(point, [&](Index i, double squared_distance) {
         least = std::min(least, {squared_distance, i});
       });
-      result.push_back(least.second == no_index ? tree.nearest(point) : least.second);
+      if (least.second == no_index && !tree) {
+        tree.emplace(points);
+      }
+      result.push_back(least.second == no_index ? tree->nearest(point) : least.second);
     }
     return result;
   }

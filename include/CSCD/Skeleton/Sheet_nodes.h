@@ -109,7 +109,7 @@ public:
   double half_width() const { return m_section.length() / 4; }
 
 private:
-  /// Bounds for the length of an accepted section, relative to the expected one: as for radii in `Branch_section`.
+  /// Bounds for the length of an accepted section, relative to the expected one: as for radii in `Body_section`.
   static constexpr double min_length = 0.6;
   static constexpr double max_length = 1.5;
 
