@@ -20,7 +20,7 @@ points=data/points_3/kitten.xyz
 source "$source_dir/cmake/install_packages.sh"
 install_packages "${library_packages[@]}"
 
-echo "Building in $build_dir: two to five minutes on two cores, once"
+echo "Building in $build_dir: four to eight minutes on two cores, once"
 # In a build folder that has the tests or benchmarks, they stay.
 configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja)
 if [[ ! -e $build_dir/CMakeCache.txt ]]; then
