@@ -74,8 +74,8 @@ public:
 private:
   /// How many faces may be passed and lines be traced for all ways, relative to the number of faces.
   static constexpr std::size_t max_work = 8;
-  /// So much more takes some tenths of a second.
-  static constexpr std::size_t free_work = 1 << 17;
+  /// So much more takes about a second, even where each line meets thousands of faces.
+  static constexpr std::size_t free_work = 1 << 12;
   /// A way of more nodes would not be a good skeleton.
   static constexpr std::size_t max_number_of_nodes = 64;
   /// Halvings of the depth below the surface, where the way is not free.
