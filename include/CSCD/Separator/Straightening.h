@@ -22,15 +22,14 @@
 
 namespace CSCD::internal {
 
-/// Joins consecutive vertices of a coarse loop by shortest paths (A*) along the edges of the finest level.
-/// Work is local to the loop. Reuse one object.
+/// Joins consecutive vertices of a coarse loop by shortest paths along the edges of the finest level. Work is local to
+/// the loop. Reuse one object.
 class Loop_projection
 {
 public:
   explicit Loop_projection(const Surface_levels& levels)
-      : m_levels(levels), m_heap(levels.finest().surface.number_of_vertices()),
-        m_reached(levels.finest().surface.number_of_vertices()),
-        m_settled(levels.finest().surface.number_of_vertices()), m_labels(levels.finest().surface.number_of_vertices())
+      : m_levels(levels), m_front(levels.finest().surface.number_of_vertices()),
+        m_passed(levels.finest().surface.number_of_vertices()), m_links(levels.finest().surface.number_of_vertices())
   {
   }
 
@@ -40,9 +39,7 @@ public:
   {
     m_path.clear();
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Index from = level.to_finest(loop[i]);
-      const Index to = level.to_finest(loop[i + 1 < loop.size() ? i + 1 : 0]);
-      if (!append_path(from, to)) {
+      if (!append_path(level.to_finest(loop[i]), level.to_finest(loop[(i + 1) % loop.size()]))) {
         return false;
       }
     }
@@ -54,96 +51,59 @@ private:
   static constexpr double max_detour = 3;
   static constexpr std::size_t min_loop_size = 4;
 
-  struct Label
-  {
-    float distance;
-    Index parent;
-  };
-
-  /// Appends the path from `from` to `to`, without its last vertex.
+  /// Appends the path from `from` to `to`, without its first vertex.
   bool append_path(Index from, Index to)
   {
     const Triangulated_surface& surface = m_levels.finest().surface;
-    const Vector3 goal = surface.point(to);
-    const float limit = float(max_detour * (surface.point(from) - goal).norm());
-    m_heap.clear();
-    m_reached.clear();
-    m_settled.clear();
-    reach(from, 0, no_index);
-    m_heap.push(from, 0);
-    while (!m_heap.empty()) {
-      const Index vertex = m_heap.pop().vertex;
+    const float limit = float(max_detour * (surface.point(from) - surface.point(to)).norm());
+    bool is_found = false;
+    m_front.clear();
+    m_front.reach(from, 0);
+    m_front.spread([&](Index vertex, float distance) {
       if (vertex == to) {
-        append_backtrace(to);
-        return true;
+        is_found = true;
+        m_front.clear();
+        return;
       }
-      m_settled.mark(vertex);
-      for (const Index halfedge : surface.outgoing(vertex)) {
-        const Index neighbor = surface.target(halfedge);
-        const float distance = m_labels[vertex].distance + float(surface.length(halfedge));
-        const bool is_new = !m_reached.is_marked(neighbor);
-        // The estimates are consistent except for rounding: a vertex that has left the heap stays as it is.
-        if (distance >= limit || m_settled.is_marked(neighbor) ||
-            (!is_new && distance >= m_labels[neighbor].distance)) {
-          continue;
-        }
-        const float estimate = distance + float((surface.point(neighbor) - goal).norm());
-        reach(neighbor, distance, vertex);
-        if (is_new) {
-          m_heap.push(neighbor, estimate);
-        } else {
-          m_heap.decrease(neighbor, estimate);
+      for (const Index h : surface.outgoing(vertex)) {
+        const float length = distance + float(surface.length(h));
+        if (length < limit && m_front.reach(surface.target(h), length)) {
+          m_links[surface.target(h)] = vertex;
         }
       }
-    }
-    return false;
-  }
-
-  void reach(Index vertex, float distance, Index parent)
-  {
-    m_reached.mark(vertex);
-    m_labels[vertex] = {distance, parent};
-  }
-
-  void append_backtrace(Index to)
-  {
+    });
     const std::size_t begin = m_path.size();
-    for (Index vertex = m_labels[to].parent; vertex != no_index; vertex = m_labels[vertex].parent) {
+    for (Index vertex = to; is_found && vertex != from; vertex = m_links[vertex]) {
       m_path.push_back(vertex);
     }
     std::reverse(m_path.begin() + std::ptrdiff_t(begin), m_path.end());
+    return is_found;
   }
 
   /// Copies the path to `loop`; where it returns to a vertex, the part between is left out.
   bool erase_spurs(Vertex_loop& loop)
   {
     loop.clear();
-    m_reached.clear();
-    for (Index vertex : m_path) {
-      if (m_reached.mark(vertex)) {
-        m_labels[vertex].parent = Index(loop.size());
+    m_passed.clear();
+    for (const Index vertex : m_path) {
+      // The place in the loop, unless the earlier visit has been left out itself.
+      const std::size_t place = m_passed.mark(vertex) ? loop.size() : m_links[vertex];
+      if (place >= loop.size() || loop[place] != vertex) {
+        m_links[vertex] = Index(loop.size());
         loop.push_back(vertex);
-        continue;
-      }
-      const std::size_t kept = m_labels[vertex].parent;
-      if (kept >= loop.size() || loop[kept] != vertex) {
-        // The earlier visit has been left out itself.
-        m_labels[vertex].parent = Index(loop.size());
-        loop.push_back(vertex);
-      } else if (loop.size() - kept > m_path.size() / 2) {
+      } else if (loop.size() - place > m_path.size() / 2) {
         return false;
       } else {
-        loop.resize(kept + 1);
+        loop.resize(place + 1);
       }
     }
     return loop.size() >= min_loop_size;
   }
 
   const Surface_levels& m_levels;
-  Indexed_heap m_heap;
-  Epoch_marks m_reached;
-  Epoch_marks m_settled;
-  std::vector<Label, boost::noinit_adaptor<std::allocator<Label>>> m_labels; // of reached vertices
+  Dijkstra_search m_front;
+  Epoch_marks m_passed;
+  std::vector<Index, boost::noinit_adaptor<std::allocator<Index>>> m_links; ///< to the vertex before, then the place
   Vertex_loop m_path;
 };
 
