@@ -4,7 +4,7 @@
 // The quality of skeletons of CGAL's closed meshes is not worse than in the table quality.txt next to this file.
 //
 // Where a change is better on the whole, this command writes the table anew, and the difference shows what got worse:
-//   CSCD_WRITE_QUALITY=1 build-checked/bin/test/test_quality
+//   CSCD_WRITE_QUALITY=1 build-checked/bin/test/test_real_meshes
 
 #include "support/real_meshes.h"
 #include "support/skip_or_fail.h"

@@ -50,10 +50,12 @@ public:
     std::size_t first = 0; // the start that the way has come to, ...
     int level = -1;        // ... halvings of the depth there
     while (!sees(here, to)) {
-      // The deepest point that can be seen from here, far ones first; of the last start, a point nearer to the surface.
+      // The deepest point that can be seen from here, far ones first, and always the next one; of the last start, a
+      // point nearer to the surface.
       std::optional<Vector3> next;
       for (int halvings = 0; !next && halvings <= max_halvings; ++halvings) {
-        for (std::size_t step = m_starts.size() - first; !next && step > 0; step /= 2) {
+        for (std::size_t step = m_starts.size() - first; !next && step > 0;
+             step = step > 2 ? (step + 1) / 2 : step - 1) {
           const std::optional<Vector3> point = below(m_starts[first + step - 1], halvings);
           if (point && (step > 1 || halvings > level) && sees(here, *point)) {
             next = point;

@@ -255,8 +255,7 @@ inline Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Hal
   }
   m_number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
   internal::split_two_face_components(triangles, pairing, components);
-  const bool has_sampled_limbs = internal::sample_limbs(triangles, pairing, components, m_side_of_sheet) > 0;
-  internal::refine_large_faces(triangles, pairing, components);
+  const bool has_many_limbs = internal::refine_large_faces(triangles, pairing, components, m_side_of_sheet);
   m_report.number_of_inserted_vertices = triangles.points.size() - number_of_given_points;
   if (m_report.number_of_sheets > 0) {
     internal::extend_sides(triangles, m_side_of_sheet);
@@ -272,7 +271,7 @@ inline Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Hal
   m_normalization = to_unit_box.then(to_unit_area);
   Triangulated_surface surface(std::move(triangles), number_of_threads);
   CGAL_postcondition(!surface.has_defect());
-  m_levels = std::make_unique<const Surface_levels>(std::move(surface), number_of_threads, has_sampled_limbs);
+  m_levels = std::make_unique<const Surface_levels>(std::move(surface), number_of_threads, has_many_limbs);
   m_report.number_of_levels = m_levels->size();
   m_report.number_of_surface_components = number_of_components();
   m_report.genus = genus();
