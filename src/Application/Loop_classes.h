@@ -6,6 +6,7 @@
 #ifndef CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 #define CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 
+#include <CSCD/Surface/Tree_cotree.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 
@@ -13,10 +14,8 @@
 
 #include <boost/dynamic_bitset.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -51,9 +50,7 @@ private:
 
 /// The classes of closed curves along the edges of a closed surface, in its homology over Z2.
 ///
-/// A tree of edges and a tree of faces that crosses none of these leave 2 g edges over on a surface of genus g. Each
-/// closes a loop along edges with the first tree, and a dual loop across edges with the second; these meet in that edge
-/// alone. So the class of a curve, as a sum of the loops, follows from how often it crosses the dual loops.
+/// The class of a curve, as a sum of the loops of a `Tree_cotree`, follows from how often it crosses the dual loops.
 ///
 /// What a curve bounds follows from how it is linked with the dual loops of its component, pushed outwards: not at all
 /// if it bounds a surface inside the body. Pushed inwards, it is one more where both cross. Components count one by
@@ -65,40 +62,20 @@ public:
 
   /// O(n + l log^2 l) for n vertices and l edges of the loops.
   explicit Loop_classes(const Triangulated_surface& surface)
-      : m_surface(surface), m_dual_loops(surface.number_of_halfedges())
+      : m_surface(surface), m_trees(surface), m_dual_loops(surface.number_of_halfedges())
   {
-    m_parent = grow_trees(surface.number_of_vertices(), [&](Index vertex, const auto& reach) {
-      for (const Index h : surface.outgoing(vertex)) {
-        reach(surface.target(h), surface.twin(h));
-      }
-    });
-    m_dual_parent = grow_trees(surface.number_of_faces(), [&](Index face, const auto& reach) {
-      for (const Index h : Triangulated_surface::face_halfedges(face)) {
-        if (!is_in_tree(h)) {
-          reach(Triangulated_surface::face(surface.twin(h)), surface.twin(h));
-        }
-      }
-    });
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      if (surface.edge(h) == h && !is_in_tree(h) && !is_in_dual_tree(h)) {
-        m_left_over.push_back(h);
-        Index root = surface.origin(h);
-        while (m_parent[root] != no_index) {
-          root = surface.target(m_parent[root]);
-        }
-        m_component.push_back(root);
-      }
-    }
-    for (Index i = 0; i < m_left_over.size(); ++i) {
-      for (const Index h : dual_loop(m_left_over[i])) {
-        m_dual_loops[m_surface.edge(h)].push_back(i);
+    for (Index i = 0; i < size(); ++i) {
+      const Index edge = m_trees.left_over()[i];
+      m_component.push_back(m_trees.root(surface.origin(edge)));
+      for (const Index h : m_trees.dual_loop(edge)) {
+        m_dual_loops[surface.edge(h)].push_back(i);
       }
     }
     find_linking();
   }
 
   /// Twice the genus.
-  std::size_t size() const { return m_left_over.size(); }
+  std::size_t size() const { return m_trees.left_over().size(); }
 
   /// The class of the closed curve along `halfedges`; linear.
   Bits operator()(const std::vector<Index>& halfedges) const
@@ -147,92 +124,20 @@ private:
   /// How far a dual loop is pushed outwards where its loop crosses it, relative to the length of the edge.
   static constexpr double push = 1e-3;
 
-  /// Grows a tree breadth first in each connected part of a graph of `size` nodes. \return the way back of each node
-  /// except the roots \param for_each_neighbor `for_each_neighbor(node, reach)` calls `reach(neighbor, way back)`
-  template <class ForEachNeighbor>
-  static std::vector<Index> grow_trees(std::size_t size, const ForEachNeighbor& for_each_neighbor)
-  {
-    std::vector<Index> parent(size, no_index);
-    std::vector<char> is_reached(size, 0);
-    std::vector<Index> queue;
-    queue.reserve(size);
-    for (Index root = 0; root < size; ++root) {
-      std::size_t next = queue.size();
-      if (is_reached[root] == 0) {
-        is_reached[root] = 1;
-        queue.push_back(root);
-      }
-      for (; next < queue.size(); ++next) {
-        for_each_neighbor(queue[next], [&](Index neighbor, Index way_back) {
-          if (is_reached[neighbor] == 0) {
-            is_reached[neighbor] = 1;
-            parent[neighbor] = way_back;
-            queue.push_back(neighbor);
-          }
-        });
-      }
-    }
-    return parent;
-  }
-
-  bool is_in_tree(Index h) const
-  {
-    return m_parent[m_surface.origin(h)] == h || m_parent[m_surface.target(h)] == m_surface.twin(h);
-  }
-  bool is_in_dual_tree(Index h) const
-  {
-    const Index t = m_surface.twin(h);
-    return m_dual_parent[Triangulated_surface::face(h)] == h || m_dual_parent[Triangulated_surface::face(t)] == t;
-  }
-
-  /// The closed path over the side `edge` from node to node of a tree and back along the tree, as the sides that it
-  /// passes; `edge` comes first. \param next `next(side)` is the node that a way back leads to
-  template <class Next>
-  std::vector<Index> closed_path(Index edge, Index from, Index to, const std::vector<Index>& parent,
-                                 const Next& next) const
-  {
-    const auto path_to_root = [&](Index node) {
-      std::vector<Index> path;
-      for (Index h = parent[node]; h != no_index; h = parent[next(h)]) {
-        path.push_back(h);
-      }
-      return path;
-    };
-    std::vector<Index> first = path_to_root(from);
-    std::vector<Index> second = path_to_root(to);
-    while (!first.empty() && !second.empty() && first.back() == second.back()) { // their common part
-      first.pop_back();
-      second.pop_back();
-    }
-    std::vector<Index> result{edge};
-    result.insert(result.end(), second.begin(), second.end());
-    std::transform(first.rbegin(), first.rend(), std::back_inserter(result),
-                   [this](Index h) { return m_surface.twin(h); });
-    return result;
-  }
-
   /// The points of the loop that `edge` closes.
   Polygon loop_points(Index edge) const
   {
     Polygon result;
-    for (const Index h : closed_path(edge, m_surface.origin(edge), m_surface.target(edge), m_parent,
-                                     [this](Index side) { return m_surface.target(side); })) {
+    for (const Index h : m_trees.loop(edge)) {
       result.push_back(m_surface.point(m_surface.origin(h)));
     }
     return result;
   }
 
-  /// The halfedges where the dual loop of `edge` leaves faces, in order; the first is the edge's.
-  std::vector<Index> dual_loop(Index edge) const
-  {
-    const auto face_behind = [this](Index side) { return Triangulated_surface::face(m_surface.twin(side)); };
-    return closed_path(edge, Triangulated_surface::face(edge), face_behind(edge), m_dual_parent, face_behind);
-  }
-
   /// The points of the dual loop of `edge`: centers of faces and of edges, that of `edge` pushed outwards.
   Polygon dual_loop_points(Index edge) const
   {
-    const std::vector<Index> halfedges = dual_loop(edge);
+    const std::vector<Index> halfedges = m_trees.dual_loop(edge);
     Polygon result;
     result.reserve(2 * halfedges.size());
     for (const Index h : halfedges) {
@@ -257,8 +162,8 @@ private:
     std::vector<Segment> loops;
     std::vector<Segment> dual_loops;
     for (Index i = 0; i < size(); ++i) {
-      add_segments(loop_points(m_left_over[i]), i, loops);
-      add_segments(dual_loop_points(m_left_over[i]), i, dual_loops);
+      add_segments(loop_points(m_trees.left_over()[i]), i, loops);
+      add_segments(dual_loop_points(m_trees.left_over()[i]), i, dual_loops);
     }
     std::vector<Box> boxes = make_boxes(loops);
     std::vector<Box> dual_boxes = make_boxes(dual_loops);
@@ -321,10 +226,8 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  std::vector<Index> m_parent;                  // halfedge from each vertex to its parent in the tree
-  std::vector<Index> m_dual_parent;             // halfedge where each face is left for its parent
-  std::vector<Index> m_left_over;               // a halfedge of each edge in neither tree
-  std::vector<Index> m_component;               // of each of these, a vertex that stands for it
+  Tree_cotree m_trees;
+  std::vector<Index> m_component;               // of each edge left over, a vertex that stands for it
   std::vector<std::vector<Index>> m_dual_loops; // that cross the edge of each smaller halfedge
   std::vector<Bits> m_linking;                  // of each loop with the dual loops
 };

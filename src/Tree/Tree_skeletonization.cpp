@@ -477,7 +477,9 @@ double noise_of_bark(const std::vector<Vector3>& points)
         squared_reach = square;
       }
     });
-    deviations.push_back(fit_quadric(points, point, neighbors, std::sqrt(squared_reach)).deviation);
+    deviations.push_back(
+        fit_quadric(points, point, {neighbors.data(), neighbors.data() + neighbors.size()}, std::sqrt(squared_reach))
+            .deviation);
   }
   return quantile(std::move(deviations), noise_quantile);
 }

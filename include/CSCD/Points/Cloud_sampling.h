@@ -10,6 +10,8 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/principal_axes.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -35,10 +37,10 @@ struct Quadric_fit
 };
 
 /// Fits the plane and the height field through `point` and `neighbors`.
-/// \param neighbors a range of indices of points, none of them `point`
+/// \param neighbors indices of points, none of them `point`
 /// \param reach the distance of the farthest of them
-template <class Neighbors>
-Quadric_fit fit_quadric(const std::vector<Vector3>& points, Index point, const Neighbors& neighbors, double reach)
+inline Quadric_fit fit_quadric(const std::vector<Vector3>& points, Index point,
+                               const CGAL::Iterator_range<const Index*>& neighbors, double reach)
 {
   using Coefficients = Eigen::Matrix<double, 6, 1>;
   constexpr std::size_t number_of_coefficients = 6;
@@ -88,17 +90,6 @@ inline double quantile(std::vector<double> values, double fraction)
   return *place;
 }
 
-/// Whether `point` is far from all others, compared with how far those are from each other.
-inline bool is_outlier(const Neighbor_table& neighbors, Index point)
-{
-  constexpr double outlier_reach = 4; // how far the neighborhood reaches, relative to those of the neighbors
-  std::vector<double> reaches;
-  for (const Index neighbor : neighbors.neighbors(point)) {
-    reaches.push_back(neighbors.reach(neighbor));
-  }
-  return neighbors.reach(point) > outlier_reach * quantile(std::move(reaches), 0.5);
-}
-
 /// Fits a plane to the nearest neighbors of a point, to as many as are flattest, and from there a quadric to those
 /// neighbors that are not far off this plane: not to those on another sheet.
 class Sheet_fitting
@@ -123,7 +114,7 @@ public:
       }
     }
     if (m_sheet.size() >= min_sheet) {
-      return fit_quadric(m_points, point, m_sheet, reach);
+      return fit_quadric(m_points, point, {m_sheet.data(), m_sheet.data() + m_sheet.size()}, reach);
     }
     Quadric_fit result;
     result.normal = result.surface_normal = normal;

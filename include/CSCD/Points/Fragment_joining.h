@@ -101,13 +101,8 @@ private:
 
   void find_fragments()
   {
-    Disjoint_sets sets(m_triangles.points.size());
-    for (const std::array<Index, 3>& face : m_triangles.faces) {
-      sets.join(face[0], face[1]);
-      sets.join(face[0], face[2]);
-    }
     Index number = 0;
-    m_fragment = sets.numbers(number);
+    m_fragment = sets_of_vertices(m_triangles.faces, m_triangles.points.size()).numbers(number);
     m_groups = Disjoint_sets(number);
     m_size.assign(number, 0);
     for (const std::array<Index, 3>& face : m_triangles.faces) {

@@ -6,11 +6,11 @@
 #ifndef CSCD_POINTS_HANDLE_REPAIR_H
 #define CSCD_POINTS_HANDLE_REPAIR_H
 
+#include <CSCD/Surface/Tree_cotree.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <array>
@@ -27,45 +27,17 @@ namespace CSCD::internal {
 /// or. So the sum along a loop depends on its homology class alone: it is zero if the loop separates the surface, and
 /// otherwise with a probability of 2^-64. Disjoint loops together do not separate the surface if their sums are
 /// linearly independent.
-///
-/// \return the words by the smaller halfedges of the edges; linear. Edges of a spanning tree have zero, those that are
-/// neither in it nor in a spanning tree of the faces have random words, and the faces tell the rest (after Erickson and
-/// Whittlesey, "Greedy optimal homotopy and homology generators", 2005).
+/// \return the words by the smaller halfedges of the edges: the sums of random words of the dual loops that cross them
 inline std::vector<std::uint64_t> homology_words(const Triangulated_surface& surface)
 {
   std::vector<std::uint64_t> words(surface.number_of_halfedges(), 0);
   std::mt19937_64 random;
-  Disjoint_sets joined(surface.number_of_vertices());
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    if (surface.edge(h) == h && !joined.join(surface.origin(h), surface.target(h))) {
-      words[h] = random();
+  const Tree_cotree trees(surface);
+  for (const Index edge : trees.left_over()) {
+    const std::uint64_t word = random();
+    for (const Index h : trees.dual_loop(edge)) {
+      words[surface.edge(h)] ^= word;
     }
-  }
-  // The halfedges that lead from each face but the first of its component to an earlier face.
-  std::vector<Index> ways_back;
-  std::vector<std::uint8_t> is_met(surface.number_of_faces(), 0);
-  std::vector<Index> stack;
-  for (Index first = 0; first < surface.number_of_faces(); ++first) {
-    if (is_met[first] == 0) {
-      is_met[first] = 1;
-      stack.push_back(first);
-    }
-    while (!stack.empty()) {
-      const Index face = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-        const Index neighbor = Triangulated_surface::face(surface.twin(h));
-        if (words[surface.edge(h)] != 0 && std::exchange(is_met[neighbor], 1) == 0) {
-          ways_back.push_back(surface.twin(h));
-          stack.push_back(neighbor);
-        }
-      }
-    }
-  }
-  // Backwards: the words of the other two sides are known.
-  for (auto h = ways_back.rbegin(); h != ways_back.rend(); ++h) {
-    words[surface.edge(*h)] =
-        words[surface.edge(Triangulated_surface::next(*h))] ^ words[surface.edge(Triangulated_surface::previous(*h))];
   }
   return words;
 }
@@ -107,7 +79,9 @@ public:
   /// The loops, the shortest first.
   std::vector<Vertex_loop> operator()()
   {
-    find_folds();
+    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+      m_is_in_fold.push_back(faces_itself(vertex) ? 1 : 0);
+    }
     for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
       search_around(vertex);
     }
@@ -273,15 +247,7 @@ private:
     return double(number) >= min_part_in_fold * double(loop.size());
   }
 
-  /// Marks the vertices at which the surface faces itself: around which two faces look at each other.
-  void find_folds()
-  {
-    m_is_in_fold.resize(m_surface.number_of_vertices());
-    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
-      m_is_in_fold[vertex] = faces_itself(vertex) ? 1 : 0;
-    }
-  }
-
+  /// Whether two faces around `vertex` look at each other.
   bool faces_itself(Index vertex)
   {
     m_faces.clear();

@@ -6,6 +6,7 @@
 #ifndef CSCD_POINTS_POINT_COMPLEX_H
 #define CSCD_POINTS_POINT_COMPLEX_H
 
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -84,7 +85,7 @@ public:
     find_neighbors(triangles);
     find_twins();
     find_faces(triangles);
-    number_components();
+    m_component = internal::sets_of_vertices(triangles, m_points.size()).numbers(m_number_of_components);
     measure_areas();
   }
 
@@ -207,15 +208,6 @@ private:
     }
   }
 
-  void number_components()
-  {
-    internal::Disjoint_sets sets(m_points.size());
-    for (Index h = 0; h < number_of_halfedges(); ++h) {
-      sets.join(origin(h), target(h));
-    }
-    m_component = sets.numbers(m_number_of_components);
-  }
-
   /// Where the corners of triangles at a vertex, seen along its normal, add up to more than a full turn, they overlap
   /// by as much.
   void measure_areas()
@@ -255,32 +247,27 @@ inline constexpr double min_part_of_points = 0.02;
 /// Makes the complex of the components of `complex` that are not fragments; linear.
 /// \param number gets for each vertex of `complex` its number in the result, `no_index` if it was dropped
 /// \pre `complex` has a triangle
-inline Point_complex drop_fragments(Point_complex&& complex, std::vector<Index>& number)
+inline Point_complex drop_fragments(const Point_complex& complex, std::vector<Index>& number)
 {
   std::vector<std::size_t> size(complex.number_of_components(), 0);
   for (Index v = 0; v < complex.number_of_vertices(); ++v) {
     ++size[complex.component(v)];
   }
   const double min_size = min_part_of_points * double(*std::max_element(size.begin(), size.end()));
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index face = 0; face < complex.number_of_faces(); ++face) {
+    const std::array<Index, 3> vertices = complex.face_vertices(face);
+    if (double(size[complex.component(vertices[0])]) >= min_size) {
+      triangles.push_back(vertices);
+    }
+  }
   number.assign(complex.number_of_vertices(), no_index);
   std::vector<Vector3> points;
   std::vector<Vector3> normals;
-  for (Index v = 0; v < complex.number_of_vertices(); ++v) {
-    if (double(size[complex.component(v)]) >= min_size && !complex.outgoing(v).empty()) {
-      number[v] = Index(points.size());
-      points.push_back(complex.point(v));
-      normals.push_back(complex.normal(v));
-    }
-  }
-  if (points.size() == number.size()) {
-    return std::move(complex);
-  }
-  std::vector<std::array<Index, 3>> triangles;
-  for (Index face = 0; face < complex.number_of_faces(); ++face) {
-    const auto [a, b, c] = complex.face_vertices(face);
-    if (number[a] != no_index) {
-      triangles.push_back({number[a], number[b], number[c]});
-    }
+  for (const Index v : compact_numbers(triangles, number.size())) {
+    number[v] = Index(points.size());
+    points.push_back(complex.point(v));
+    normals.push_back(complex.normal(v));
   }
   return {std::move(points), std::move(normals), triangles};
 }

@@ -22,24 +22,13 @@ namespace internal {
 
 /// A complex with its holes closed, its fragments joined, and bridges between sheets cut, as where a surface is made of
 /// points: it shows which parts are connected.
-class Closed_complex
+struct Closed_complex
 {
-public:
   /// O(n log n) where false handles are few.
   explicit Closed_complex(const Point_complex& complex);
 
-  /// The closed surface.
-  const Triangulated_surface& surface() const { return m_surface; }
-
-  /// The vertex of the complex that a vertex of the surface is; `no_index` for inserted and second ones.
-  Index vertex_in_complex(Index vertex) const
-  {
-    return vertex < m_vertex_in_complex.size() ? m_vertex_in_complex[vertex] : no_index;
-  }
-
-private:
-  Triangulated_surface m_surface;
-  std::vector<Index> m_vertex_in_complex;
+  Triangulated_surface surface;         ///< the closed surface
+  std::vector<Index> vertex_in_complex; ///< of each of its vertices; `no_index` for inserted and second ones
 };
 
 } // namespace internal

@@ -27,13 +27,13 @@ CSCD_INLINE internal::Closed_complex::Closed_complex(const Point_complex& comple
   Surface_completion complete(completed, Normalization());
   complete.prepare();
   complete();
-  m_surface = Triangulated_surface(std::move(completed.triangles));
-  m_vertex_in_complex = std::move(completed.point_of_vertex);
+  surface = Triangulated_surface(std::move(completed.triangles));
+  vertex_in_complex = std::move(completed.point_of_vertex);
 }
 
 CSCD_INLINE Point_solid::Point_solid(const Point_cloud& cloud)
     : m_complex(drop_fragments(internal::build_point_complex(cloud), m_vertex_of_point)), m_closed(m_complex),
-      m_queries(m_closed.surface())
+      m_queries(m_closed.surface)
 {
   internal::assign_to_nearest(cloud.points, m_vertex_of_point);
 }

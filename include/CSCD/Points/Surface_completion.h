@@ -129,13 +129,19 @@ private:
     return {{input.x(), input.y(), input.z()}, length * m_normalization.unit};
   }
 
+  /// Closes all holes. New vertices are of no point.
+  void bridge()
+  {
+    bridge_borders(m_surface.triangles, m_surface.pairing);
+    m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
+    pair();
+  }
+
   /// Closes all holes and orients the surface.
   void close()
   {
     m_surface.report.number_of_holes = sizes_of_holes().size();
-    bridge_borders(m_surface.triangles, m_surface.pairing);
-    m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
-    pair();
+    bridge();
     Surface_components components(m_surface.triangles);
     orient_outwards(m_surface.triangles, m_surface.pairing, components);
     m_number_of_components = components.number();
@@ -163,9 +169,7 @@ private:
       }
       cut_along_loops(m_surface.triangles, whole, loops);
       pair();
-      bridge_borders(m_surface.triangles, m_surface.pairing);
-      m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
-      pair();
+      bridge();
     }
   }
 

@@ -129,7 +129,9 @@ public:
   /// \param triangles no two have the same vertices
   Triangle_selection(const std::vector<Vector3>& points, const std::vector<Vector3>& normals,
                      std::vector<Local_triangle>&& triangles)
-      : m_points(points), m_normals(normals), m_triangles(std::move(triangles))
+      : m_points(points), m_normals(normals), m_triangles(std::move(triangles)),
+        m_neighbors(
+            points.size(), m_triangles, [](const Local_triangle& triangle) -> auto& { return triangle.vertices; })
   {
     std::sort(m_triangles.begin(), m_triangles.end(), [](const Local_triangle& a, const Local_triangle& b) {
       return std::make_tuple(b.votes, a.size, a.vertices) < std::make_tuple(a.votes, b.size, b.vertices);
@@ -141,10 +143,12 @@ public:
   std::vector<std::array<Index, 3>> operator()()
   {
     std::vector<std::array<Index, 3>> result;
+    const auto is_free = [](const Sector& sector) { return !sector.is_covered; };
+    const auto cover = [](Sector& sector) { return sector.is_covered = true; };
     for (const Local_triangle& triangle : m_triangles) {
-      if (is_free(triangle)) {
+      if (for_each_sector(triangle, is_free)) {
         result.push_back(triangle.vertices);
-        cover(triangle);
+        for_each_sector(triangle, cover);
       }
     }
     return result;
@@ -161,22 +165,17 @@ private:
 
   void lay_out_sectors()
   {
-    const Vertex_neighbors neighbors(
-        m_points.size(), m_triangles, [](const Local_triangle& triangle) -> auto& { return triangle.vertices; });
-    m_sectors.reserve(neighbors.number_of_values());
     for (Index v = 0; v < m_points.size(); ++v) {
       const Vector3 x = m_normals[v].unitOrthogonal();
       const Vector3 y = m_normals[v].cross(x);
-      m_begin.push_back(Index(m_sectors.size()));
-      for (const Index neighbor : neighbors[v]) {
+      for (const Index neighbor : m_neighbors[v]) {
         const Vector3 edge = m_points[neighbor] - m_points[v];
         m_sectors.push_back({neighbor, std::atan2(y.dot(edge), x.dot(edge)), false});
       }
-      std::sort(m_sectors.begin() + m_begin[v], m_sectors.end(), [](const Sector& a, const Sector& b) {
+      std::sort(m_sectors.begin() + m_neighbors.begin(v), m_sectors.end(), [](const Sector& a, const Sector& b) {
         return std::make_pair(a.begin, a.neighbor) < std::make_pair(b.begin, b.neighbor);
       });
     }
-    m_begin.push_back(Index(m_sectors.size()));
   }
 
   /// Calls `function(sector)` for those between the sides of the triangle at `vertex` until it returns false.
@@ -184,8 +183,8 @@ private:
   template <class Function>
   bool for_each_sector(Index vertex, Index neighbor_1, Index neighbor_2, const Function& function)
   {
-    const Index begin = m_begin[vertex];
-    const Index end = m_begin[vertex + 1];
+    const Index begin = m_neighbors.begin(vertex);
+    const Index end = m_neighbors.begin(vertex + 1);
     const auto find = [&](Index neighbor) {
       return Index(std::find_if(m_sectors.begin() + begin, m_sectors.begin() + end,
                                 [&](const Sector& sector) { return sector.neighbor == neighbor; }) -
@@ -210,28 +209,20 @@ private:
     return true;
   }
 
-  bool is_free(const Local_triangle& triangle)
+  /// The same at all vertices of the triangle, until it returns false at one of them.
+  template <class Function>
+  bool for_each_sector(const Local_triangle& triangle, const Function& function)
   {
-    const auto is_not_covered = [](const Sector& sector) { return !sector.is_covered; };
     const auto [a, b, c] = triangle.vertices;
-    return for_each_sector(a, b, c, is_not_covered) && for_each_sector(b, c, a, is_not_covered) &&
-           for_each_sector(c, a, b, is_not_covered);
-  }
-
-  void cover(const Local_triangle& triangle)
-  {
-    const auto cover_sector = [](Sector& sector) { return sector.is_covered = true; };
-    const auto [a, b, c] = triangle.vertices;
-    for_each_sector(a, b, c, cover_sector);
-    for_each_sector(b, c, a, cover_sector);
-    for_each_sector(c, a, b, cover_sector);
+    return for_each_sector(a, b, c, function) && for_each_sector(b, c, a, function) &&
+           for_each_sector(c, a, b, function);
   }
 
   const std::vector<Vector3>& m_points;
   const std::vector<Vector3>& m_normals;
   std::vector<Local_triangle> m_triangles;
-  std::vector<Sector> m_sectors; // vertex by vertex, counterclockwise
-  std::vector<Index> m_begin;    // of the sectors of every vertex, and the end of all
+  Vertex_neighbors m_neighbors;
+  std::vector<Sector> m_sectors; // towards them, vertex by vertex, counterclockwise
 };
 
 } // namespace CSCD::internal

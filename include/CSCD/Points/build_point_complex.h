@@ -142,7 +142,7 @@ struct Triangulated_cloud
 };
 
 /// Triangulates a cloud, step by step (supplement, appendix G.2: the neighborhoods of the points, pruned of what
-/// connects regions that are not connected).
+/// connects regions that are not connected). Outliers and points that nothing fits to have no triangles. O(n log n).
 class Cloud_triangulation
 {
 public:
@@ -263,27 +263,20 @@ private:
 
   void take_sheets()
   {
-    fit_sheets();
-    move_points();
-    take_normals();
-    std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
-    triangles = select_triangles();
-    orient_normals(m_points, triangles, m_normals);
-    // Oriented normals separate more sheets.
-    m_is_oriented = true;
-    triangles = select_triangles();
-    orient_normals(m_points, triangles, m_normals);
-    orient(triangles);
-    turn_outwards(triangles);
-  }
-
-  void fit_sheets()
-  {
     Sheet_fitting fit(m_points, m_neighbors);
-    m_fits.reserve(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
       m_fits.push_back(fit(point));
     }
+    move_points();
+    take_normals();
+    std::vector<std::array<Index, 3>>& triangles = m_result.triangles;
+    for (const bool is_oriented : {false, true}) { // oriented normals separate more sheets
+      m_is_oriented = is_oriented;
+      triangles = Triangle_selection(m_points, m_normals, propose_triangles())();
+      orient_normals(m_points, triangles, m_normals);
+    }
+    orient(triangles);
+    turn_outwards(triangles);
   }
 
   /// Triangles are found between points that are moved to the surfaces fitted to them, but not farther than noise can
@@ -300,15 +293,9 @@ private:
 
   Vector3 tie_breaker(Index point) const { return jitter * m_neighbors.reach(point) * pseudo_random_vector(point); }
 
-  std::vector<std::array<Index, 3>> select_triangles() const
-  {
-    return Triangle_selection(m_points, m_normals, propose_triangles())();
-  }
-
   void take_normals()
   {
     m_normals.clear();
-    m_normals.reserve(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
       const bool is_known = !m_cloud.normals.empty() && m_cloud.normals[point] != Vector3::Zero();
       m_normals.push_back(is_known ? m_cloud.pose.turn(m_cloud.normals[point]) : m_fits[point].surface_normal);
@@ -349,22 +336,15 @@ private:
       const double reach = m_neighbors.reach(p);
       const std::vector<Index>& ring = star.neighbors();
       for (std::size_t i = star.is_closed() ? 0 : 1; i < ring.size(); ++i) {
-        const Local_triangle triangle = proposal(p, ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]);
+        const Index q = ring[i == 0 ? ring.size() - 1 : i - 1];
+        Local_triangle triangle{{p, q, ring[i]}, 1, squared_circumradius(m_points[p], m_points[q], m_points[ring[i]])};
         if (triangle.size <= max_circle * reach * reach) {
+          std::sort(triangle.vertices.begin(), triangle.vertices.end());
           proposals.push_back(triangle);
         }
       }
     }
     return count_votes(std::move(proposals));
-  }
-
-  Local_triangle proposal(Index p, Index q, Index r) const
-  {
-    Local_triangle result;
-    result.vertices = {p, q, r};
-    std::sort(result.vertices.begin(), result.vertices.end());
-    result.size = squared_circumradius(m_points[p], m_points[q], m_points[r]);
-    return result;
   }
 
   static std::vector<Local_triangle> count_votes(std::vector<Local_triangle>&& proposals)
@@ -386,15 +366,13 @@ private:
   void orient(std::vector<std::array<Index, 3>>& triangles) const
   {
     const auto is_contradictory = [&](std::array<Index, 3>& triangle) {
-      const auto [a, b, c] = triangle;
-      const Vector3 normal = triangle_vector(m_points[a], m_points[b], m_points[c]);
-      const std::array<double, 3> sides{normal.dot(m_normals[a]), normal.dot(m_normals[b]), normal.dot(m_normals[c])};
-      if (sides[0] < 0) {
+      const Vector3 vector = triangle_vector(m_points[triangle[0]], m_points[triangle[1]], m_points[triangle[2]]);
+      const auto against = std::count_if(triangle.begin(), triangle.end(),
+                                         [&](Index corner) { return vector.dot(m_normals[corner]) < 0; });
+      if (against == 3) {
         std::swap(triangle[1], triangle[2]);
       }
-      const auto is_negative = [](double side) { return side < 0; };
-      return std::any_of(sides.begin(), sides.end(), is_negative) &&
-             !std::all_of(sides.begin(), sides.end(), is_negative);
+      return against % 3 != 0;
     };
     triangles.erase(std::remove_if(triangles.begin(), triangles.end(), is_contradictory), triangles.end());
   }
@@ -402,18 +380,13 @@ private:
   /// Turns components that enclose a negative volume.
   void turn_outwards(std::vector<std::array<Index, 3>>& triangles)
   {
-    Disjoint_sets sets(m_points.size());
-    for (const auto& [a, b, c] : triangles) {
-      sets.join(a, b);
-      sets.join(a, c);
-    }
+    Disjoint_sets sets = sets_of_vertices(triangles, m_points.size());
     std::vector<Vector3> center(m_points.size(), Vector3::Zero()); // sums of corners, of every root
     std::vector<double> count(m_points.size(), 0);
     for (const auto& triangle : triangles) {
-      const Index root = sets.find(triangle[0]);
       for (const Index vertex : triangle) {
-        center[root] += m_points[vertex];
-        ++count[root];
+        center[sets.find(vertex)] += m_points[vertex];
+        ++count[sets.find(vertex)];
       }
     }
     std::vector<double> volume(m_points.size(), 0); // of every root
@@ -443,13 +416,6 @@ private:
   bool m_is_oriented = false;      // the normals
   Triangulated_cloud m_result;
 };
-
-/// Triangulates `cloud`: its vertices are the points of the cloud, in the same order; where these are noisy, they are
-/// moved to a surface fitted to them. Outliers and points that nothing fits to have no triangles. O(n log n).
-inline Triangulated_cloud triangulate_cloud(const Point_cloud& cloud)
-{
-  return Cloud_triangulation(cloud)();
-}
 
 /// Fills the gaps of a few edges between triangles: voids of random samples are not holes.
 class Gap_closing
@@ -503,12 +469,11 @@ private:
     if (h != first || border.size() < 3) {
       return {};
     }
-    std::vector<Index> corners;
-    for (const Index side : border) {
+    for (Index& side : border) {
       m_is_met[side] = 1;
-      corners.push_back(origin(side));
+      side = origin(side);
     }
-    return {corners.rbegin(), corners.rend()};
+    return {border.rbegin(), border.rend()};
   }
 
   /// The halfedge on the other side of the gap at the end of a halfedge on the border.
@@ -535,7 +500,7 @@ private:
 
 CSCD_INLINE Point_complex build_point_complex(const Point_cloud& cloud)
 {
-  Triangulated_cloud triangulated = triangulate_cloud(cloud);
+  Triangulated_cloud triangulated = Cloud_triangulation(cloud)();
   if (triangulated.triangles.empty()) {
     throw Input_error(
         "no triangle could be made between the points: they do not sample a surface; sample it more densely");

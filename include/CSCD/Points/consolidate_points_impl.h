@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -99,6 +98,8 @@ private:
   static constexpr int max_number_of_rounds = 3;
   /// A point is lonely if it has fewer neighbors than others by this factor.
   static constexpr double loneliness = 4;
+  /// How far the neighborhood of an outlier reaches, relative to those of its neighbors.
+  static constexpr double outlier_reach = 4;
   /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: points that are
   /// spread evenly in a box have about 0.25, sparse parts of a surface 0.05.
   static constexpr double deviation_in_space = 0.12;
@@ -156,31 +157,30 @@ private:
     double radius = std::sqrt(outlier_neighbors * estimate_area(m_cloud.points) * double(sample_step()) /
                               (3 * double(m_cloud.points.size())));
     double median = 0;
-    std::vector<double> numbers;
     for (int i = 0; i < max_number_of_trials; ++i) {
       const std::vector<Index> around = numbers_around(places, radius);
-      numbers.assign(around.begin(), around.end());
-      median = quantile(numbers, 0.5);
+      median = quantile({around.begin(), around.end()}, 0.5);
       if (median > outlier_neighbors / 1.3 && median < outlier_neighbors * 1.3) {
         break;
       }
       radius *= std::sqrt(outlier_neighbors / median);
     }
-    const auto is_lonely = [&](double number) { return number * loneliness < median; };
-    std::vector<Index> result;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      if (is_lonely(numbers[i])) {
-        result.push_back(places[i]);
+    const auto lonely_of = [&](const std::vector<Index>& points) {
+      const std::vector<Index> around = numbers_around(points, radius);
+      std::vector<Index> lonely;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (double(around[i]) * loneliness < median) {
+          lonely.push_back(points[i]);
+        }
       }
-    }
+      return lonely;
+    };
+    std::vector<Index> result = lonely_of(places);
     const bool are_few = double(result.size()) <= least_part_in_space * double(places.size());
     if (!result.empty() && (!are_few || m_cloud.points.size() <= sample_around_outliers)) {
       std::vector<Index> all(m_cloud.points.size());
       std::iota(all.begin(), all.end(), Index(0));
-      const std::vector<Index> around = numbers_around(all, radius);
-      result.clear();
-      std::copy_if(all.begin(), all.end(), std::back_inserter(result),
-                   [&](Index point) { return is_lonely(double(around[point])); });
+      result = lonely_of(all);
     }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -219,7 +219,11 @@ private:
     }
     std::vector<Index> result;
     for (Index i = 0; i < lonely.size(); ++i) {
-      if (is_outlier(neighbors, i)) {
+      std::vector<double> reaches;
+      for (const Index neighbor : neighbors.neighbors(i)) {
+        reaches.push_back(neighbors.reach(neighbor));
+      }
+      if (neighbors.reach(i) > outlier_reach * quantile(std::move(reaches), 0.5)) {
         result.push_back(lonely[i]);
       }
     }
@@ -296,7 +300,9 @@ private:
     }
     std::vector<double> deviations;
     for (Index place = 0; place < centers.size(); ++place) {
-      const double deviation = fit_quadric(points, centers[place], neighborhoods[place], 2 * m_radius).deviation;
+      const std::vector<Index>& around = neighborhoods[place];
+      const double deviation =
+          fit_quadric(points, centers[place], {around.data(), around.data() + around.size()}, 2 * m_radius).deviation;
       if (deviation > 0) {
         deviations.push_back(deviation / m_radius);
       }

@@ -13,37 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <iterator>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// Some 50,000 of `points`, or all if they are fewer: those whose coordinates have a certain remainder, so that the
-/// choice does not depend on their order. Linear.
-inline std::vector<Vector3> sample_of(const std::vector<Vector3>& points)
-{
-  constexpr std::size_t size = 50000;
-  const std::size_t divisor = std::max<std::size_t>(1, points.size() / size);
-  const auto key = [](const Vector3& point) {
-    std::uint64_t result = 0;
-    for (const double coordinate : point) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &coordinate, sizeof bits);
-      // The finalizer of SplitMix64.
-      result = (result ^ bits) + 0x9e3779b97f4a7c15U;
-      result = (result ^ (result >> 30U)) * 0xbf58476d1ce4e5b9U;
-      result = (result ^ (result >> 27U)) * 0x94d049bb133111ebU;
-      result ^= result >> 31U;
-    }
-    return result;
-  };
-  std::vector<Vector3> result;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(result),
-               [&](const Vector3& point) { return key(point) % divisor == 0; });
-  return result;
-}
 
 /// The forms of the points in balls around some points, which are spread evenly, as parts of those balls.
 struct Cloud_forms

@@ -52,7 +52,7 @@ inline void check_border(const Point_cloud& cloud, const Reconstructed_surface& 
 
 CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
 {
-  Triangulated_cloud triangulated = triangulate_cloud(cloud);
+  Triangulated_cloud triangulated = Cloud_triangulation(cloud)();
   Reconstructed_surface result;
   result.triangles.points = std::move(triangulated.points);
   result.triangles.faces = std::move(triangulated.triangles);

@@ -118,10 +118,10 @@ inline std::vector<char> largest_parts(const Triangulated_surface& surface, cons
 template <class Region>
 std::vector<Index> regions_on(const Closed_complex& closed, const Region& region)
 {
-  const Triangulated_surface& surface = closed.surface();
+  const Triangulated_surface& surface = closed.surface;
   std::vector<Index> result(surface.number_of_vertices(), no_index);
   for (Index vertex = 0; vertex < result.size(); ++vertex) {
-    const Index in_complex = closed.vertex_in_complex(vertex);
+    const Index in_complex = closed.vertex_in_complex[vertex];
     result[vertex] = in_complex != no_index ? region(in_complex) : no_index;
   }
   const std::vector<char> is_kept = largest_parts(surface, result);
@@ -154,7 +154,7 @@ template <class Region>
 std::vector<std::vector<Index>> region_meetings(const Point_solid& solid, const Region& region)
 {
   const std::vector<Index> regions = regions_on(solid.closed(), region);
-  return meetings_on_triangulation(solid.closed().surface(), [&regions](Index vertex) { return regions[vertex]; });
+  return meetings_on_triangulation(solid.closed().surface, [&regions](Index vertex) { return regions[vertex]; });
 }
 
 /// The radius of what a vertex stands for: nothing but itself on a surface. There are overloads of this, of

@@ -71,11 +71,7 @@ private:
   /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
   void number_components(const Indexed_triangles& triangles)
   {
-    Disjoint_sets joined(triangles.points.size());
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      joined.join(face[0], face[1]);
-      joined.join(face[0], face[2]);
-    }
+    Disjoint_sets joined = sets_of_vertices(triangles.faces, triangles.points.size());
     component.reserve(triangles.faces.size());
     std::vector<Index> number_of_set(triangles.points.size(), no_index);
     for (const std::array<Index, 3>& face : triangles.faces) {

@@ -59,6 +59,17 @@ struct Indexed_triangles
 
 namespace internal {
 
+/// The sets of vertices that faces join. Near linear.
+inline Disjoint_sets sets_of_vertices(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
+{
+  Disjoint_sets sets(number_of_vertices);
+  for (const auto& [a, b, c] : faces) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  return sets;
+}
+
 /// The areas of the faces.
 inline std::vector<double> face_areas(const Indexed_triangles& triangles)
 {
