@@ -130,75 +130,58 @@ struct Corner_sheets
   bool has_tube = false;                       ///< whether two sheets are joined
 };
 
-/// The sheets around corners, for all sets of octants that have the label.
-class Corner_sheet_table
+/// The sheets around a corner. \param octants a bit for each that has the label
+/// \param joins_diagonally whether octants of the label are joined through edges and corners
+inline Corner_sheets make_corner_sheets(unsigned octants, bool joins_diagonally)
 {
-public:
-  explicit Corner_sheet_table(Voxel_connectivity connectivity)
-      : m_joins_diagonally(connectivity == Voxel_connectivity::twenty_six), m_sheets(1U << number_of_octants)
-  {
-    for (unsigned octants = 0; octants < m_sheets.size(); ++octants) {
-      m_sheets[octants] = make_sheets(octants);
+  const auto has = [octants](unsigned octant) { return (octants >> octant & 1U) != 0; };
+  // Where four faces meet in an edge, sheets go around octants of the background if the body is joined through it.
+  const auto is_enclosed = [&](unsigned octant) { return has(octant) != joins_diagonally; };
+  Corner_sheets result;
+  Disjoint_sets sheets(result.sheet_of_arc.size());
+  for (unsigned half_axis = 0; half_axis < number_of_half_axes; ++half_axis) {
+    const unsigned axis = half_axis / 2;
+    const unsigned base = (half_axis & 1U) << axis;
+    const unsigned b = 1U << (axis + 1) % 3;
+    const unsigned c = 1U << (axis + 2) % 3;
+    const std::array<unsigned, 4> around{base, base | b, base | b | c, base | c};
+    const auto arc_after = [&](unsigned i) { return arc_of_octant(around[i % 4], (axis + 1 + i % 2) % 3); };
+    unsigned number_of_runs = 0; // of enclosed octants, which two arcs bound that are of one sheet
+    for (unsigned i = 0; i < around.size(); ++i) {
+      if (!is_enclosed(around[i]) || is_enclosed(around[(i + 3) % 4])) {
+        continue;
+      }
+      unsigned last = i;
+      while (is_enclosed(around[(last + 1) % 4])) {
+        ++last;
+      }
+      sheets.join(arc_after(i + 3), arc_after(last));
+      ++number_of_runs;
+    }
+    if (number_of_runs > 1) {
+      result.singular_half_axes = std::uint8_t(result.singular_half_axes | 1U << half_axis);
     }
   }
-
-  const Corner_sheets& operator[](unsigned octants) const { return m_sheets[octants]; }
-
-private:
-  Corner_sheets make_sheets(unsigned octants) const
-  {
-    const auto has = [octants](unsigned octant) { return (octants >> octant & 1U) != 0; };
-    // Where four faces meet in an edge, sheets go around octants of the background if the body is joined through it.
-    const auto is_enclosed = [&](unsigned octant) { return has(octant) != m_joins_diagonally; };
-    Corner_sheets result;
-    Disjoint_sets sheets(result.sheet_of_arc.size());
-    for (unsigned half_axis = 0; half_axis < number_of_half_axes; ++half_axis) {
-      const unsigned axis = half_axis / 2;
-      const unsigned base = (half_axis & 1U) << axis;
-      const unsigned b = 1U << (axis + 1) % 3;
-      const unsigned c = 1U << (axis + 2) % 3;
-      const std::array<unsigned, 4> around{base, base | b, base | b | c, base | c};
-      const auto arc_after = [&](unsigned i) { return arc_of_octant(around[i % 4], (axis + 1 + i % 2) % 3); };
-      unsigned number_of_runs = 0; // of enclosed octants, which two arcs bound that are of one sheet
-      for (unsigned i = 0; i < around.size(); ++i) {
-        if (!is_enclosed(around[i]) || is_enclosed(around[(i + 3) % 4])) {
-          continue;
-        }
-        unsigned last = i;
-        while (is_enclosed(around[(last + 1) % 4])) {
-          ++last;
-        }
-        sheets.join(arc_after(i + 3), arc_after(last));
-        ++number_of_runs;
-      }
-      if (number_of_runs > 1) {
-        result.singular_half_axes = std::uint8_t(result.singular_half_axes | 1U << half_axis);
+  std::array<int, 12> number{};
+  number.fill(-1);
+  for (unsigned octant = 0; octant < number_of_octants; ++octant) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (has(octant) && !has(octant ^ 1U << axis)) {
+        const unsigned arc = arc_of_octant(octant, axis);
+        int& its_number = number[sheets.find(arc)];
+        its_number = its_number < 0 ? result.number_of_vertices++ : its_number;
+        result.sheet_of_arc[arc] = std::uint8_t(its_number);
       }
     }
-    std::array<int, 12> number{};
-    number.fill(-1);
-    for (unsigned octant = 0; octant < number_of_octants; ++octant) {
-      for (unsigned axis = 0; axis < 3; ++axis) {
-        if (has(octant) && !has(octant ^ 1U << axis)) {
-          const unsigned arc = arc_of_octant(octant, axis);
-          int& its_number = number[sheets.find(arc)];
-          its_number = its_number < 0 ? result.number_of_vertices++ : its_number;
-          result.sheet_of_arc[arc] = std::uint8_t(its_number);
-        }
-      }
-    }
-    const unsigned all = (1U << number_of_octants) - 1;
-    const unsigned joined = m_joins_diagonally ? octants : all ^ octants;
-    for (unsigned octant = 0; octant < number_of_octants / 2; ++octant) { // two that meet in the corner alone
-      result.has_tube = result.has_tube || joined == (1U << octant | 1U << (number_of_octants - 1 - octant));
-    }
-    result.number_of_vertices = result.has_tube ? std::uint8_t(number_of_half_axes) : result.number_of_vertices;
-    return result;
   }
-
-  bool m_joins_diagonally;
-  std::vector<Corner_sheets> m_sheets;
-};
+  const unsigned all = (1U << number_of_octants) - 1;
+  const unsigned joined = joins_diagonally ? octants : all ^ octants;
+  for (unsigned octant = 0; octant < number_of_octants / 2; ++octant) { // two that meet in the corner alone
+    result.has_tube = result.has_tube || joined == (1U << octant | 1U << (number_of_octants - 1 - octant));
+  }
+  result.number_of_vertices = result.has_tube ? std::uint8_t(number_of_half_axes) : result.number_of_vertices;
+  return result;
+}
 
 /// Smooths the vertices of a closed surface in units of voxels; linear.
 inline void smooth_voxel_surface(Indexed_triangles& triangles)
@@ -260,7 +243,8 @@ public:
 
   /// \throw Input_error if the grid has no voxels, or the axes do not span the space
   Voxel_surface_builder(const Volume_grid& grid, const Voxel_surface_settings& settings)
-      : m_grid(grid), m_settings(settings), m_sheets(settings.connectivity), m_row(grid.size[0] + 2)
+      : m_grid(grid), m_joins_diagonally(settings.connectivity == Voxel_connectivity::twenty_six),
+        m_fills_cavities(settings.fills_cavities), m_row(grid.size[0] + 2)
   {
     if (grid.number_of_voxels() == 0) {
       throw Input_error("the volume has no voxels: check how it was written");
@@ -269,6 +253,9 @@ public:
       throw Input_error(
           "the axes of the volume do not span the space, or are not finite: correct spacing, directions and "
           "origin");
+    }
+    for (unsigned octants = 0; octants < 1U << internal::number_of_octants; ++octants) {
+      m_sheets.push_back(internal::make_corner_sheets(octants, m_joins_diagonally));
     }
     m_lower_slice.assign(m_row * (grid.size[1] + 2), 0);
     m_upper_slice = m_lower_slice;
@@ -298,9 +285,9 @@ public:
   std::vector<std::uint32_t> labels() const
   {
     std::vector<std::uint32_t> result;
-    for (const auto& [label, body] : m_body_of_label) {
-      if (!m_shapes[body - 1].triangles.faces.empty()) {
-        result.push_back(label);
+    for (const Shape& shape : m_shapes) {
+      if (!shape.triangles.faces.empty()) {
+        result.push_back(shape.label);
       }
     }
     std::sort(result.begin(), result.end());
@@ -371,41 +358,54 @@ private:
     }
   }
 
-  /// Makes the faces below and within the upper slice, which becomes the lower one.
+  /// Makes the faces below the upper slice and within the lower one, whose place the upper one takes.
   void make_faces()
   {
     make_corners();
-    emit_faces_between_slices();
-    if (m_number_of_slices > 0) {
-      emit_faces_in_slice();
-    }
+    for_each_place([this](std::size_t x, std::size_t y, std::size_t voxel) {
+      emit_faces(2, {x, y, m_number_of_slices}, m_lower_slice[voxel], m_upper_slice[voxel]);
+    });
+    for_each_place([this](std::size_t x, std::size_t y, std::size_t voxel) {
+      const Place place{x, y, m_number_of_slices - 1};
+      emit_faces(0, place, m_lower_slice[voxel - 1], m_lower_slice[voxel]);
+      emit_faces(1, place, m_lower_slice[voxel - m_row], m_lower_slice[voxel]);
+    });
     std::swap(m_lower_slice, m_upper_slice);
     std::swap(m_lower_corners, m_upper_corners);
     ++m_number_of_slices;
+  }
+
+  /// Calls `function(x, y, voxel)` for the voxels of a slice and those of the background at the end of rows and of
+  /// columns, with their places in the slice.
+  template <class Function>
+  void for_each_place(const Function& function) const
+  {
+    for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
+      for (std::size_t x = 0; x <= m_grid.size[0]; ++x) {
+        function(x, y, (y + 1) * m_row + x + 1);
+      }
+    }
   }
 
   /// Makes the corners below the upper slice.
   void make_corners()
   {
     m_upper_corners.first.clear();
-    m_upper_corners.first.reserve((m_row - 1) * (m_grid.size[1] + 1) + 1);
     m_upper_corners.corners.clear();
-    for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
-      const Index* const lower = m_lower_slice.data() + y * m_row;
-      const Index* const upper = m_upper_slice.data() + y * m_row;
-      for (std::size_t x = 0; x + 1 < m_row; ++x) {
-        m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
-        const std::array<Index, 8> bodies{lower[x], lower[x + 1], lower[x + m_row], lower[x + m_row + 1],
-                                          upper[x], upper[x + 1], upper[x + m_row], upper[x + m_row + 1]};
-        Index differences = 0;
-        for (std::size_t i = 1; i < bodies.size(); ++i) {
-          differences |= bodies[i] ^ bodies[0];
-        }
-        if (differences != 0) {
-          add_corner(bodies, x, y);
-        }
+    for_each_place([this](std::size_t x, std::size_t y, std::size_t voxel) {
+      m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
+      const Index* const lower = m_lower_slice.data() + voxel - m_row - 1;
+      const Index* const upper = m_upper_slice.data() + voxel - m_row - 1;
+      const std::array<Index, 8> bodies{lower[0], lower[1], lower[m_row], lower[m_row + 1],
+                                        upper[0], upper[1], upper[m_row], upper[m_row + 1]};
+      Index differences = 0;
+      for (const Index body : bodies) {
+        differences |= body ^ bodies[0];
       }
-    }
+      if (differences != 0) {
+        add_corner(bodies, x, y);
+      }
+    });
     m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
   }
 
@@ -445,46 +445,19 @@ private:
   /// Adds the octahedron around a corner, except its faces in the two octants that it joins.
   void add_tube(Shape& shape, Index first_vertex, unsigned octants) const
   {
-    const bool joins_label = m_settings.connectivity == Voxel_connectivity::twenty_six;
     for (unsigned octant = 0; octant < internal::number_of_octants; ++octant) {
       const bool has_label = (octants >> octant & 1U) != 0;
-      if (has_label == joins_label) {
+      if (has_label == m_joins_diagonally) {
         continue; // here the tube ends
       }
       const Index a = first_vertex + (octant & 1U);
       const Index b = first_vertex + 2 + (octant >> 1U & 1U);
       const Index c = first_vertex + 4 + (octant >> 2U & 1U);
       const bool is_counterclockwise = ((octant ^ octant >> 1U ^ octant >> 2U) & 1U) != 0;
-      if (is_counterclockwise == joins_label) {
+      if (is_counterclockwise == m_joins_diagonally) {
         shape.triangles.faces.push_back({a, b, c});
       } else {
         shape.triangles.faces.push_back({a, c, b});
-      }
-    }
-  }
-
-  void emit_faces_between_slices()
-  {
-    for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
-      const std::size_t row = (y + 1) * m_row + 1;
-      for (std::size_t x = 0; x < m_grid.size[0]; ++x) {
-        emit_faces(2, {x, y, m_number_of_slices}, m_lower_slice[row + x], m_upper_slice[row + x]);
-      }
-    }
-  }
-
-  void emit_faces_in_slice()
-  {
-    for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
-      const Index* const body = m_lower_slice.data() + (y + 1) * m_row + 1;
-      for (std::size_t x = 0; x <= m_grid.size[0]; ++x) {
-        const Index* const here = body + x;
-        if (y < m_grid.size[1]) {
-          emit_faces(0, {x, y, m_number_of_slices - 1}, *(here - 1), *here);
-        }
-        if (x < m_grid.size[0]) {
-          emit_faces(1, {x, y, m_number_of_slices - 1}, *(here - m_row), *here);
-        }
       }
     }
   }
@@ -517,7 +490,6 @@ private:
   void emit_face(int axis, const Place& lower_corner, Index body, bool is_below)
   {
     Shape& shape = m_shapes[body - 1];
-    const bool joins_diagonally = m_settings.connectivity == Voxel_connectivity::twenty_six;
     const auto a = unsigned(axis);
     // Counterclockwise seen from outside: b, then c, around the positive axis, or the other way round.
     const unsigned b = is_below ? (a + 1) % 3 : (a + 2) % 3;
@@ -544,7 +516,7 @@ private:
       }
       if ((sheets.singular_half_axes >> next_half_axis & 1U) != 0) {
         // The sheet goes around one of the two voxels at the face.
-        const unsigned turned = octant | (is_below != joins_diagonally ? 0U : 1U) << a;
+        const unsigned turned = octant | (is_below != m_joins_diagonally ? 0U : 1U) << a;
         const unsigned edge_axis = next_half_axis / 2;
         place[edge_axis] -= (next_half_axis & 1U) != 0 ? 0U : 1U;
         m_polygon.push_back(middle_of_edge(body, place, int(edge_axis), turned & ~(1U << edge_axis)));
@@ -605,15 +577,13 @@ private:
     result.number_of_voxels = shape.number_of_voxels;
     result.triangles = std::move(shape.triangles);
     Indexed_triangles& triangles = result.triangles;
-    result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     triangles.first_hole_filling_face = triangles.faces.size();
     const internal::Surface_components components(triangles);
     const auto is_cavity = [](const auto& measure) { return measure.volume < 0; };
     result.number_of_cavities =
         std::size_t(std::count_if(components.measures.begin(), components.measures.end(), is_cavity));
-    if (result.number_of_cavities > 0 && m_settings.fills_cavities) {
+    if (result.number_of_cavities > 0 && m_fills_cavities) {
       remove_components(triangles, components, [&](Index i) { return is_cavity(components.measures[i]); });
-      result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     }
     internal::smooth_voxel_surface(triangles);
     for (Vector3& point : triangles.points) {
@@ -623,16 +593,17 @@ private:
       for (std::array<Index, 3>& face : triangles.faces) {
         std::swap(face[1], face[2]);
       }
-      result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     }
+    result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     CGAL_postcondition(result.pairing.conflict() == no_index && !result.pairing.has_border());
     return result;
   }
 
   Volume_grid m_grid;
-  Voxel_surface_settings m_settings;
-  internal::Corner_sheet_table m_sheets;
-  std::size_t m_row;                ///< voxels in a row of a padded slice
+  bool m_joins_diagonally; ///< the voxels of a body, and not those of the background
+  bool m_fills_cavities;
+  std::vector<internal::Corner_sheets> m_sheets; ///< for all sets of octants that have a label
+  std::size_t m_row;                             ///< voxels in a row of a padded slice
   std::vector<Index> m_lower_slice; ///< the body of each voxel, 0 for the background, which is around it, too
   std::vector<Index> m_upper_slice;
   std::size_t m_number_of_slices = 0;        ///< that were taken
