@@ -158,15 +158,14 @@ private:
     Foot foot{0, std::numeric_limits<double>::max(), 0};
     try_side(vertex, first, foot, normal);
     const double half = length() / 2;
-    double passed = 0;
-    for (std::size_t side = after(first); passed < std::min(reach, half); side = after(side)) {
-      try_side(vertex, side, foot, normal);
-      passed += side_length(side);
-    }
-    passed = 0;
-    for (std::size_t side = before(first); passed < std::min(reach, half); side = before(side)) {
-      try_side(vertex, side, foot, normal);
-      passed += side_length(side);
+    for (const bool is_forward : {true, false}) {
+      std::size_t side = first;
+      double passed = 0;
+      while (passed < std::min(reach, half)) {
+        side = is_forward ? after(side) : before(side);
+        try_side(vertex, side, foot, normal);
+        passed += side_length(side);
+      }
     }
     return foot;
   }
@@ -238,13 +237,8 @@ private:
   {
     for (const Index end : {m_complex.origin(g), m_complex.target(g)}) {
       for (const Index other : {m_complex.origin(h), m_complex.target(h)}) {
-        if (end == other) {
+        if (end == other || m_complex.find_halfedge(end, other) != no_index) {
           return true;
-        }
-        for (const Index edge : m_complex.outgoing(end)) {
-          if (m_complex.target(edge) == other) {
-            return true;
-          }
         }
       }
     }

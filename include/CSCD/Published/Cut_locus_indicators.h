@@ -62,8 +62,8 @@ inline double max_convergence(const Gradient_samples& samples)
 }
 
 /// Decides which vertices are points of the cut locus, however derivatives are computed.
-/// \tparam Derived has the members `laplacian(vertex)`, `collect_samples(vertex, samples)` and
-///         `collect_samples(vertex, gradients, samples)`
+/// \tparam Derived has the members `frames()`, `laplacian(vertex)`, `gradient(vertex)` and
+///         `collect_samples(vertex, samples)`
 template <class Derived>
 class Cut_point_test
 {
@@ -73,6 +73,17 @@ public:
   const std::vector<double>& distances() const { return m_distances; }
   double distance(Index vertex) const { return m_distances[vertex]; }
   bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
+
+  /// The gradients of all vertices; linear for bounded degrees.
+  std::vector<Complex> gradients() const
+  {
+    std::vector<Complex> result;
+    result.reserve(m_distances.size());
+    for (Index vertex = 0; vertex < m_distances.size(); ++vertex) {
+      result.push_back(derived().gradient(vertex));
+    }
+    return result;
+  }
 
   /// The greatest angle in [0, pi] between two of the gradients around `vertex` that run towards each other.
   /// \param gradients if given, those of all vertices, as `gradients()` returns them: the neighbors are then compared
@@ -93,19 +104,36 @@ public:
            convergence(vertex, gradients...) >= criterion.angle_threshold;
   }
 
+  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise: these lie farther away than the faces
+  /// around it, where a heat method does not round off a ridge any more. \param gradients those of all vertices
+  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
+  {
+    collect_neighbors(
+        vertex, [&gradients](Index neighbor) { return gradients[neighbor]; }, samples);
+  }
+
 protected:
   explicit Cut_point_test(const std::vector<double>& distances) : m_distances(distances) {}
 
-  /// Adds a neighbor, unless its gradient is that of a ridge or a source, which is short and has no direction.
-  /// \param transport carries `gradient` from the frame of the neighbor
-  static void add_neighbor(double direction, const Complex& transport, const Complex& gradient,
-                           Gradient_samples& samples)
+  /// Collects the neighbors of `vertex`, counterclockwise, unless their gradients are those of a ridge or a source,
+  /// which are short and have no direction.
+  template <class GradientOf>
+  void collect_neighbors(Index vertex, const GradientOf& gradient_of, Gradient_samples& samples) const
   {
     constexpr double min_gradient = 0.1; // away from ridges and sources it is 1
-    const double norm = std::abs(gradient);
-    if (norm > min_gradient && std::isfinite(norm)) {
-      samples.push_back({std::polar(1., direction), transport * gradient / norm});
-    }
+    const auto& frames = derived().frames();
+    samples.clear();
+    frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      const Complex gradient = gradient_of(neighbor);
+      const double norm = std::abs(gradient);
+      if (norm > min_gradient && std::isfinite(norm)) {
+        const bool is_outgoing = frames.triangulation().origin(h) == vertex;
+        const double direction = is_outgoing ? frames.direction_at_origin(h) : frames.direction_at_target(h);
+        const Complex transport = frames.transport_to_origin(h);
+        samples.push_back(
+            {std::polar(1., direction), (is_outgoing ? transport : std::conj(transport)) * gradient / norm});
+      }
+    });
   }
 
 private:
@@ -123,12 +151,14 @@ class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators<Triangul
   using Base = Cut_point_test<Cut_locus_indicators<Triangulation>>;
 
 public:
+  using Base::collect_samples;
   using Base::distance;
   using Base::distances;
   using Frames = Tangent_frames<Triangulation>;
   using Complex = typename Frames::Complex;
   using Basis = Frames; ///< the data behind them
 
+  static constexpr bool knows_loops = true; ///< around handles
   static constexpr Cut_criterion default_criterion() { return {}; }
   static const Frames& frames_of(const Basis& basis) { return basis; }
 
@@ -172,17 +202,6 @@ public:
     return weight > 0 ? sum / weight : Complex(0);
   }
 
-  /// The gradients of all vertices; linear.
-  std::vector<Complex> gradients() const
-  {
-    std::vector<Complex> result;
-    result.reserve(distances().size());
-    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
-      result.push_back(gradient(vertex));
-    }
-    return result;
-  }
-
   /// The Laplacian times the spacing: that of the vertices around `vertex` or, if it is larger, the mean edge length,
   /// over which a heat method smooths its distances.
   double laplacian(Index vertex) const
@@ -218,23 +237,7 @@ public:
     });
   }
 
-  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise: these lie farther away, where a heat
-  /// method does not round off a ridge any more. \param gradients those of all vertices, as `gradients()` returns them
-  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
-  {
-    samples.clear();
-    m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
-      const bool is_outgoing = m_frames.triangulation().origin(h) == vertex;
-      const Complex transport = m_frames.transport_to_origin(h);
-      Base::add_neighbor(is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h),
-                         is_outgoing ? transport : std::conj(transport), gradients[neighbor], samples);
-    });
-  }
-
 private:
-  /// The dual area of a vertex of a regular triangulation with edges of length 1.
-  static constexpr double area_of_unit_spacing = 0.8660254037844386;
-
   /// Of the angle at the origin of `halfedge`; 0 where the face has no area.
   double cotangent(Index halfedge) const
   {
@@ -257,7 +260,9 @@ public:
   using Frames = Point_frames;
   using Complex = Frames::Complex;
   using Basis = Point_derivatives; ///< the data behind them
+  using Base::collect_samples;
 
+  static constexpr bool knows_loops = false;
   static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
 
   static constexpr Cut_criterion default_criterion() { return point_cut_criterion(); }
@@ -276,23 +281,13 @@ public:
   /// for degree d.
   Complex gradient(Index vertex) const
   {
-    return mean_gradient(vertex, [this](Index v) { return m_derivatives.gradient(v, distances()); });
-  }
-
-  /// The gradients of all vertices; linear for bounded degrees.
-  std::vector<Complex> gradients() const
-  {
-    std::vector<Complex> single;
-    single.reserve(distances().size());
-    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
-      single.push_back(m_derivatives.gradient(vertex, distances()));
-    }
-    std::vector<Complex> result;
-    result.reserve(distances().size());
-    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
-      result.push_back(mean_gradient(vertex, [&single](Index v) { return single[v]; }));
-    }
-    return result;
+    Complex sum = m_derivatives.gradient(vertex, distances());
+    double number = 1;
+    frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      sum += frames().transport_to_origin(h) * m_derivatives.gradient(neighbor, distances());
+      number += 1;
+    });
+    return sum / number;
   }
 
   /// The Laplacian times the spacing, see `Point_derivatives`. O(d) for degree d.
@@ -309,35 +304,7 @@ public:
         vertex, [this](Index neighbor) { return gradient(neighbor); }, samples);
   }
 
-  /// The same with known gradients. \param gradients those of all vertices, as `gradients()` returns them
-  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
-  {
-    collect_neighbors(
-        vertex, [&gradients](Index neighbor) { return gradients[neighbor]; }, samples);
-  }
-
 private:
-  template <class Gradient>
-  Complex mean_gradient(Index vertex, const Gradient& gradient_of) const
-  {
-    Complex sum = gradient_of(vertex);
-    double number = 1;
-    frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
-      sum += frames().transport_to_origin(h) * gradient_of(neighbor);
-      number += 1;
-    });
-    return sum / number;
-  }
-
-  template <class Gradient>
-  void collect_neighbors(Index vertex, const Gradient& gradient_of, Gradient_samples& samples) const
-  {
-    samples.clear();
-    frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
-      add_neighbor(frames().direction_at_origin(h), frames().transport_to_origin(h), gradient_of(neighbor), samples);
-    });
-  }
-
   const Point_derivatives& m_derivatives;
 };
 

@@ -6,7 +6,6 @@
 #ifndef CSCD_PUBLISHED_CUT_TREE_H
 #define CSCD_PUBLISHED_CUT_TREE_H
 
-#include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Cut_locus_indicators.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Surface/Triangles.h>
@@ -123,21 +122,21 @@ private:
   std::vector<Index> m_roots;
 };
 
-/// A subtree of every tree of an ORG tree, each with its root, and chords that close loops.
+/// An ORG tree, a subtree of each of its trees with the root, and chords that close loops.
 /// Vertices are added below kept ones, and removed at the leaves.
 class Cut_tree
 {
 public:
-  /// Keeps the roots of `tree`, which is referred to and must outlive this object; linear.
-  explicit Cut_tree(const Org_tree& tree)
-      : m_tree(tree), m_is_kept(tree.size(), 0), m_is_protected(m_is_kept), m_number_of_children(m_is_kept.size(), 0)
+  /// Keeps the roots of `tree`; linear.
+  explicit Cut_tree(Org_tree&& tree)
+      : m_tree(std::move(tree)), m_is_kept(m_tree.size(), 0), m_is_protected(m_is_kept),
+        m_number_of_children(m_is_kept.size(), 0)
   {
-    for (Index root : tree.roots()) {
+    for (Index root : m_tree.roots()) {
       m_is_kept[root] = 1;
       m_is_protected[root] = 1;
     }
   }
-  explicit Cut_tree(Org_tree&&) = delete;
 
   const Org_tree& tree() const { return m_tree; }
   bool is_kept(Index vertex) const { return m_is_kept[vertex] != 0; }
@@ -186,7 +185,7 @@ public:
   const std::vector<Index>& chords() const { return m_chords; }
 
 private:
-  const Org_tree& m_tree;
+  Org_tree m_tree;
   std::vector<char> m_is_kept;
   std::vector<char> m_is_protected;
   std::vector<Index> m_number_of_children;
@@ -480,46 +479,33 @@ bool has_handles(const Triangulation& surface)
   return genus_of_closed_surface(number_of_components, surface.number_of_vertices(), surface.number_of_faces()) > 0;
 }
 
-/// \name Among points
-/// No loops are known.
-/// @{
-
-inline bool has_handles(const Point_complex& /* surface */)
-{
-  return false;
-}
-inline std::vector<char> find_loop_vertices(const Point_cut_locus_indicators& measures,
-                                            const std::vector<Index>& /* sources */)
-{
-  return std::vector<char>(measures.distances().size(), 0);
-}
-inline void close_loops(const Point_cut_locus_indicators& /* measures */, const std::vector<Index>& /* sources */,
-                        Cut_tree& /* cut */)
-{
-}
-
-/// @}
-
-/// Finds the cut locus of `sources` as part of `tree`, the ORG tree of `measures`: cut points and their paths to the
-/// root are kept, loops closed, branches made one vertex wide, and short ones dropped. O(n log n) for n vertices.
-/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
+/// Finds the cut locus of `sources` as part of the ORG tree of `measures`: cut points and their paths to the root are
+/// kept, loops closed, branches made one vertex wide, and short ones dropped. O(n log n) for n vertices.
+/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`: then no loop is known
 /// \param closes_loops whether there are loops to be closed, as far as is known
 template <class Measures>
-Cut_tree find_cut_tree(const Measures& measures, const Org_tree& tree, const std::vector<Index>& sources,
-                       const Cut_locus_settings& settings, bool closes_loops = true)
+Cut_tree find_cut_tree(const Measures& measures, const std::vector<Index>& sources, const Cut_locus_settings& settings,
+                       bool closes_loops = true)
 {
   // Of this many mean edge lengths; the triangulation alone can make shorter branches.
   constexpr double min_edges_of_branch = 3;
   const auto& frames = measures.frames();
   const auto gradients = measures.gradients();
-  Cut_tree cut(tree);
+  std::vector<char> is_on_loop(measures.distances().size(), 0);
+  if constexpr (Measures::knows_loops) {
+    is_on_loop = closes_loops ? find_loop_vertices(measures, sources) : is_on_loop;
+  }
+  Cut_tree cut(Org_tree(measures, is_on_loop));
+  const Org_tree& tree = cut.tree();
   for (const Index vertex : tree.order()) {
     if (tree.is_on_loop(vertex) || measures.is_cut(vertex, settings.criterion, gradients)) {
       cut.keep(vertex);
     }
   }
-  if (closes_loops) {
-    close_loops(measures, sources, cut);
+  if constexpr (Measures::knows_loops) {
+    if (closes_loops) {
+      close_loops(measures, sources, cut);
+    }
   }
   thin_branches(frames, cut);
   double max_distance = 0;

@@ -184,7 +184,8 @@ public:
     const Cut_criterion criterion = Measures::default_criterion();
     m_cut_locus.criterion = {settings.laplacian_threshold.value_or(criterion.laplacian_threshold),
                              settings.angle_threshold.value_or(criterion.angle_threshold)};
-    m_has_handles = m_cut_locus_rule == Cut_locus_rule::tree && has_handles(Measures::frames_of(basis).triangulation());
+    m_has_handles = Measures::knows_loops && m_cut_locus_rule == Cut_locus_rule::tree &&
+                    has_handles(Measures::frames_of(basis).triangulation());
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
   }
   Field_separator_finder(const Field_separator_finder&) = delete;
@@ -213,10 +214,7 @@ public:
   {
     const Measures measures(m_basis, distances);
     if (m_cut_locus_rule == Cut_locus_rule::tree) {
-      const std::vector<Index> sources{source};
-      const Org_tree tree(measures, m_has_handles ? find_loop_vertices(measures, sources)
-                                                  : std::vector<char>(distances.size(), 0));
-      const Cut_tree cut = find_cut_tree(measures, tree, sources, m_cut_locus, m_has_handles);
+      const Cut_tree cut = find_cut_tree(measures, {source}, m_cut_locus, m_has_handles);
       m_loop_finder.find(
           measures, source, source_point, m_target_rule, [&](Index vertex) { return cut.is_kept(vertex); }, m_loop);
     } else {

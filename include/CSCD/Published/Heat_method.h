@@ -69,9 +69,9 @@ public:
         throw Input_error(message);
       }
       const auto& lower = factorization.matrixL().nestedExpression();
-      if (m_row.empty()) {
-        copy_pattern(lower);
-      }
+      CGAL_assertion(lower.isCompressed());
+      m_column_begin.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
+      m_row.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
       m_factors.push_back({{lower.valuePtr(), lower.valuePtr() + m_row.size()}, {}});
       const Eigen::VectorXd inverses = pivots.cwiseInverse();
       m_factors.back().inverse_pivots.assign(inverses.data(), inverses.data() + inverses.size());
@@ -118,14 +118,6 @@ private:
     std::vector<double> values; // of the entries below the diagonal, column by column
     std::vector<double> inverse_pivots;
   };
-
-  template <class LowerTriangle>
-  void copy_pattern(const LowerTriangle& lower)
-  {
-    CGAL_assertion(lower.isCompressed());
-    m_column_begin.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
-    m_row.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
-  }
 
   std::vector<Index> m_place;
   std::vector<Index> m_column_begin; // in the entries, and their number at the end
@@ -250,6 +242,7 @@ private:
   /// The power of two below which heat is left to the next stage. Numbers still have full precision down to 2^-1022:
   /// only products with a number less than 2^-122 are lost here, and every sum loses these.
   static constexpr int frontier_exponent = -900;
+  static constexpr std::uint8_t all_lanes = (1U << lanes) - 1;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   /// Where a vertex is in a stage.
@@ -260,15 +253,9 @@ private:
     beyond ///< too little heat for this stage
   };
 
-  /// A face whose heat is too little in a lane.
-  struct Left_face
-  {
-    const Face* face;
-    std::size_t lane;
-  };
+  using Array = typename Row::Array;
 
   /// The direction of the heat flow in a face, where `largest` is large enough.
-  template <class Array>
   struct Flow
   {
     Array largest; ///< heat of a corner
@@ -286,7 +273,7 @@ private:
     m_heat.assign(n, Row{});
     m_divergence.assign(n, Row{});
     m_number_of_sources.assign(elements().number_of_components(), Row{});
-    m_left_faces.clear();
+    m_left_lanes.assign(m_operators->faces.size(), all_lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         add_source(source, lane);
@@ -307,89 +294,78 @@ private:
   void diffuse()
   {
     m_operators->solver.solve(Heat_operators::heat, m_heat);
-    pass_all_faces();
-    if (m_left_faces.empty()) {
-      return;
+    bool are_faces_left = pass_faces();
+    if (are_faces_left) {
+      enter_zones();
     }
-    enter_zones();
-    while (!m_left_faces.empty() && set_frontier_sources()) {
+    while (are_faces_left && set_frontier_sources()) {
       m_operators->solver.solve(Heat_operators::heat, m_heat);
-      pass_left_faces();
+      are_faces_left = pass_faces();
       advance_zones();
     }
   }
 
   /// The direction of the flow, which needs no square of a small number. The absolute value is taken, as in CGAL: where
   /// faces are far from Delaunay, heat is negative here and there, but falls with the distance all the same.
-  template <class Array>
-  static Flow<Array> flow(const Face_layout& layout, const Array& signed_heat_0, const Array& signed_heat_1,
-                          const Array& signed_heat_2)
+  Flow flow(const Face& face) const
   {
     // Keeps the zero vector where it is.
     constexpr double min_norm = std::numeric_limits<double>::min();
-    const Array heat_0 = signed_heat_0.abs();
-    const Array heat_1 = signed_heat_1.abs();
-    const Array heat_2 = signed_heat_2.abs();
-    Flow<Array> result;
+    const Array heat_0 = m_heat[face.places[0]].array().abs();
+    const Array heat_1 = m_heat[face.places[1]].array().abs();
+    const Array heat_2 = m_heat[face.places[2]].array().abs();
+    Flow result;
     result.largest = heat_0.max(heat_1).max(heat_2);
     const Array scale = 1 / result.largest.max(frontier());
-    const Array x = (heat_0 - heat_1) * scale * (1 / layout.base);
-    const Array y = ((heat_0 - heat_2) * scale - layout.apex_x * x) * (1 / layout.apex_y);
+    const Array x = (heat_0 - heat_1) * scale * (1 / face.layout.base);
+    const Array y = ((heat_0 - heat_2) * scale - face.layout.apex_x * x) * (1 / face.layout.apex_y);
     const Array inverse_norm = 1 / (x * x + y * y).sqrt().max(min_norm);
     result.x = x * inverse_norm;
     result.y = y * inverse_norm;
     return result;
   }
 
-  void pass_all_faces()
+  /// Adds the divergence of the flow in the faces that are left, in the lanes where they have enough heat.
+  /// \return whether faces are left that heat will reach
+  bool pass_faces()
   {
-    for (const Face& face : m_operators->faces) {
-      Flow<typename Row::Array> result = flow<typename Row::Array>(
-          face.layout, m_heat[face.places[0]].array(), m_heat[face.places[1]].array(), m_heat[face.places[2]].array());
-      if ((result.largest < frontier()).any()) {
-        leave_lanes(face, result);
+    bool are_faces_left = false;
+    for (std::size_t i = 0; i < m_left_lanes.size(); ++i) {
+      if (m_left_lanes[i] == 0) {
+        continue;
+      }
+      const Face& face = m_operators->faces[i];
+      Flow result = flow(face);
+      if (m_left_lanes[i] == all_lanes && !(result.largest < frontier()).any()) {
+        m_left_lanes[i] = 0;
+      } else {
+        leave_lanes(face, result, m_left_lanes[i]);
+        are_faces_left = are_faces_left || m_left_lanes[i] != 0;
       }
       const Face_layout& layout = face.layout;
-      const typename Row::Array flux_1 = (layout.apex_y * result.x - layout.apex_x * result.y) * 0.5;
-      const typename Row::Array flux_2 = layout.base * 0.5 * result.y;
+      const Array flux_1 = (layout.apex_y * result.x - layout.apex_x * result.y) * 0.5;
+      const Array flux_2 = layout.base * 0.5 * result.y;
       m_divergence[face.places[0]].array() -= flux_1 + flux_2;
       m_divergence[face.places[1]].array() += flux_1;
       m_divergence[face.places[2]].array() += flux_2;
     }
+    return are_faces_left;
   }
 
-  /// Takes a face out of the lanes where it has too little heat.
-  void leave_lanes(const Face& face, Flow<typename Row::Array>& result)
+  /// Takes a face out of the lanes where it has too little heat, or has had enough in an earlier stage.
+  void leave_lanes(const Face& face, Flow& result, std::uint8_t& left_lanes) const
   {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (result.largest[int(lane)] < frontier()) {
+      const auto bit = std::uint8_t(1U << lane);
+      const bool has_heat = !(result.largest[int(lane)] < frontier());
+      if ((left_lanes & bit) == 0 || !has_heat) {
         result.x[int(lane)] = 0;
         result.y[int(lane)] = 0;
-        if (is_reached(face.component, lane)) {
-          m_left_faces.push_back({&face, lane});
-        }
+      }
+      if (has_heat || !is_reached(face.component, lane)) {
+        left_lanes = std::uint8_t(left_lanes & ~bit);
       }
     }
-  }
-
-  void pass_left_faces()
-  {
-    using Array = Simd_pack<1>::Array;
-    const auto pass = [this](const Left_face& left) {
-      const Face& face = *left.face;
-      const auto heat = [&](std::size_t k) { return Array(m_heat[face.places[k]][left.lane]); };
-      const Flow<Array> result = flow<Array>(face.layout, heat(0), heat(1), heat(2));
-      if (result.largest[0] < frontier()) {
-        return false;
-      }
-      const double flux_1 = (face.layout.apex_y * result.x[0] - face.layout.apex_x * result.y[0]) * 0.5;
-      const double flux_2 = face.layout.base * 0.5 * result.y[0];
-      m_divergence[face.places[0]][left.lane] -= flux_1 + flux_2;
-      m_divergence[face.places[1]][left.lane] += flux_1;
-      m_divergence[face.places[2]][left.lane] += flux_2;
-      return true;
-    };
-    m_left_faces.erase(std::remove_if(m_left_faces.begin(), m_left_faces.end(), pass), m_left_faces.end());
   }
 
   void enter_zones()
@@ -500,9 +476,9 @@ private:
   std::vector<Row> m_divergence;
   std::vector<Row> m_sources;
   std::vector<std::array<Zone, lanes>> m_zones;
-  std::vector<Row> m_number_of_sources; // of every component
-  std::vector<Row> m_shifts;            // of every component
-  std::vector<Left_face> m_left_faces;
+  std::vector<Row> m_number_of_sources;   // of every component
+  std::vector<Row> m_shifts;              // of every component
+  std::vector<std::uint8_t> m_left_lanes; // of every face, a bit for each that has had too little heat so far
 };
 
 /// Geodesic distance from any number of sources, on a triangulation given by its edge lengths: factored once.

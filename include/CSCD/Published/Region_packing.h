@@ -18,7 +18,6 @@
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -250,8 +249,7 @@ public:
   template <class Surface>
   Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
   {
-    collect_rings(surface, separators, [](const Edge_crossing&) { return true; });
-    list_passes(surface.number_of_vertices());
+    list_passes(surface, separators, [](const Edge_crossing&) { return true; });
   }
   /// Where only separators that meet overlap: in a face, or at a vertex that both pass through. Linear.
   /// \tparam Surface a model of `SurfaceTriangulation`
@@ -259,10 +257,9 @@ public:
   static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)
   {
     Separator_overlaps result;
-    result.collect_rings(surface, separators, [](const Edge_crossing& crossing) {
+    result.list_passes(surface, separators, [](const Edge_crossing& crossing) {
       return std::min(crossing.position, 1 - crossing.position) <= vertex_offset;
     });
-    result.list_passes(surface.number_of_vertices());
     result.list_chords(surface, separators);
     return result;
   }
@@ -275,7 +272,7 @@ public:
     m_found.clear();
     m_found.mark(separator);
     collect_touching(separator);
-    if (!m_first_chord.empty()) {
+    if (m_chords.number_of_rows() > 0) {
       collect_meeting(separator);
     }
     std::sort(m_others.begin(), m_others.end());
@@ -295,41 +292,33 @@ private:
   Separator_overlaps() = default;
 
   /// Lists for each separator the vertices that it passes closest to where `is_passing(crossing)` holds, each once for
-  /// consecutive crossings.
+  /// consecutive crossings, and for each vertex the separators.
   template <class Surface, class Predicate>
-  void collect_rings(const Surface& surface, const std::vector<Separator>& separators, const Predicate& is_passing)
+  void list_passes(const Surface& surface, const std::vector<Separator>& separators, const Predicate& is_passing)
   {
-    for (const Separator& separator : separators) {
-      m_ring_begin.push_back(m_rings.size());
-      for (const Edge_crossing& crossing : separator.crossings) {
-        const Index vertex = nearest_vertex(surface, crossing);
-        if (is_passing(crossing) && (m_rings.size() == m_ring_begin.back() || m_rings.back() != vertex)) {
-          m_rings.push_back(vertex);
-        }
-      }
-    }
-    m_ring_begin.push_back(m_rings.size());
-    m_found = Epoch_marks(separators.size());
-  }
-
-  CGAL::Iterator_range<const Index*> ring(Index separator) const
-  {
-    return {m_rings.data() + m_ring_begin[separator], m_rings.data() + m_ring_begin[separator + 1]};
-  }
-
-  /// Lists for each vertex the separators that pass closest to it.
-  void list_passes(std::size_t number_of_vertices)
-  {
-    m_passes = Compressed_rows<Index, std::size_t>(number_of_vertices, [this](const auto& add) {
-      for (Index separator = 0; separator + 1 < m_ring_begin.size(); ++separator) {
-        for (const Index vertex : ring(separator)) {
-          add(vertex, separator);
+    m_rings = Compressed_rows<Index, std::size_t>(separators.size(), [&](const auto& add) {
+      for (Index i = 0; i < separators.size(); ++i) {
+        Index last = no_index;
+        for (const Edge_crossing& crossing : separators[i].crossings) {
+          const Index vertex = nearest_vertex(surface, crossing);
+          if (is_passing(crossing) && vertex != last) {
+            add(i, vertex);
+            last = vertex;
+          }
         }
       }
     });
+    m_passes = Compressed_rows<Index, std::size_t>(surface.number_of_vertices(), [&](const auto& add) {
+      for (Index i = 0; i < separators.size(); ++i) {
+        for (const Index vertex : m_rings[i]) {
+          add(vertex, i);
+        }
+      }
+    });
+    m_found = Epoch_marks(separators.size());
   }
 
-  /// Lists the chords of all separators, one after the other, and those in each face.
+  /// Lists the chords of all separators, and those in each face.
   template <class Surface>
   void list_chords(const Surface& surface, const std::vector<Separator>& separators)
   {
@@ -339,30 +328,29 @@ private:
       weights[(side + 1) % 3] = position;
       return std::array<double, 2>{weights[0], weights[1]};
     };
-    for (Index i = 0; i < separators.size(); ++i) {
-      m_first_chord.push_back(m_chords.size());
-      const std::vector<Edge_crossing>& crossings = separators[i].crossings;
-      for (std::size_t k = 0; k < crossings.size(); ++k) {
-        const Edge_crossing& before = crossings[k > 0 ? k - 1 : crossings.size() - 1];
-        m_chords.push_back({i, Surface::face(crossings[k].halfedge),
-                            coordinates(surface.twin(before.halfedge) % 3, 1 - before.position),
-                            coordinates(crossings[k].halfedge % 3, crossings[k].position)});
+    m_chords = Compressed_rows<Chord, std::size_t>(separators.size(), [&](const auto& add) {
+      for (Index i = 0; i < separators.size(); ++i) {
+        const std::vector<Edge_crossing>& crossings = separators[i].crossings;
+        for (std::size_t k = 0; k < crossings.size(); ++k) {
+          const Edge_crossing& before = crossings[k > 0 ? k - 1 : crossings.size() - 1];
+          add(i, Chord{i, Surface::face(crossings[k].halfedge),
+                       coordinates(surface.twin(before.halfedge) % 3, 1 - before.position),
+                       coordinates(crossings[k].halfedge % 3, crossings[k].position)});
+        }
       }
-    }
-    m_first_chord.push_back(m_chords.size());
+    });
     m_chords_in_face = Compressed_rows<Index, std::size_t>(surface.number_of_faces(), [this](const auto& add) {
-      for (Index chord = 0; chord < m_chords.size(); ++chord) {
-        add(m_chords[chord].face, chord);
+      for (Index chord = 0; chord < m_chords.number_of_values(); ++chord) {
+        add(m_chords.values()[chord].face, chord);
       }
     });
   }
 
   void collect_meeting(Index separator)
   {
-    for (std::size_t k = m_first_chord[separator]; k < m_first_chord[separator + 1]; ++k) {
-      const Chord& chord = m_chords[k];
+    for (const Chord& chord : m_chords[separator]) {
       for (const Index other : m_chords_in_face[chord.face]) {
-        const Chord& candidate = m_chords[other];
+        const Chord& candidate = m_chords.values()[other];
         if (!m_found.is_marked(candidate.separator) &&
             do_segments_meet(chord.begin, chord.end, candidate.begin, candidate.end)) {
           m_found.mark(candidate.separator);
@@ -374,7 +362,7 @@ private:
 
   void collect_touching(Index separator)
   {
-    for (const Index vertex : ring(separator)) {
+    for (const Index vertex : m_rings[separator]) {
       for (const Index other : m_passes[vertex]) {
         if (m_found.mark(other)) {
           m_others.push_back(other);
@@ -383,14 +371,12 @@ private:
     }
   }
 
-  std::vector<std::size_t> m_ring_begin; ///< of every separator
-  std::vector<Index> m_rings;
-  Compressed_rows<Index, std::size_t> m_passes; ///< of every vertex
-  std::vector<Chord> m_chords;
-  std::vector<std::size_t> m_first_chord; ///< of every separator
-  Compressed_rows<Index, std::size_t> m_chords_in_face;
-  Epoch_marks m_found;         ///< of the separators
-  std::vector<Index> m_others; ///< of the separator that was asked for
+  Compressed_rows<Index, std::size_t> m_rings;          ///< of every separator, the vertices that it passes
+  Compressed_rows<Index, std::size_t> m_passes;         ///< of every vertex, the separators that pass it
+  Compressed_rows<Chord, std::size_t> m_chords;         ///< of every separator
+  Compressed_rows<Index, std::size_t> m_chords_in_face; ///< their places
+  Epoch_marks m_found;                                  ///< of the separators
+  std::vector<Index> m_others;                          ///< of the separator that was asked for
 };
 
 /// Packs separators that do not overlap, greedily (section 3.2.3): first those whose weight is large against the

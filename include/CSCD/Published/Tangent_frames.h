@@ -30,6 +30,9 @@
 
 namespace CSCD::internal {
 
+/// The dual area of a vertex of a regular triangulation with edges of length 1.
+inline constexpr double area_of_unit_spacing = 0.8660254037844386;
+
 /// A polar frame at every vertex, where vectors are complex numbers: angles between the edges around a vertex are
 /// scaled to add up to a full turn; on a border they stay as they are. The first outgoing halfedge points along the
 /// real axis.
@@ -152,14 +155,10 @@ private:
       if (!is_hole_filling(h)) {
         sum += m_corners[h].length;
         ++number;
-      }
-    }
-    m_mean_edge_length = number > 0 ? sum / double(number) : 0;
-    for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
-      if (!is_hole_filling(h)) {
         measure_corner(h);
       }
     }
+    m_mean_edge_length = number > 0 ? sum / double(number) : 0;
   }
 
   void measure_corner(Index h)
@@ -167,8 +166,8 @@ private:
     // Faces of less height than this, relative to their longest side, have no direction that can be trusted.
     constexpr double min_height = 1e-8;
     const double a = m_corners[h].length;
-    const double b = m_corners[m_triangulation.next(h)].length;
-    const double c = m_corners[m_triangulation.previous(h)].length;
+    const double b = m_triangulation.length(m_triangulation.next(h));
+    const double c = m_triangulation.length(m_triangulation.previous(h));
     const double area = Flat_triangle{a, b, c}.area();
     const double longest = std::max({a, b, c});
     if (!(2 * area > min_height * longest * longest)) {
@@ -418,10 +417,13 @@ public:
 
   /// Linear. \param frames is referred to and must outlive this object
   /// \param elements those of the intrinsic Delaunay triangulation of the tufted cover; not referred to later
-  Point_derivatives(const Point_frames& frames, const Cotangent_elements& elements) : m_frames(frames)
+  Point_derivatives(const Point_frames& frames, const Cotangent_elements& elements)
+      : m_frames(frames), m_gradient(frames.triangulation().number_of_halfedges(), 0)
   {
     CGAL_precondition(elements.number_of_vertices() == frames.triangulation().number_of_vertices());
-    fit_gradients();
+    for (Index vertex = 0; vertex < frames.triangulation().number_of_vertices(); ++vertex) {
+      fit_gradient(vertex);
+    }
     collect_couplings(elements);
   }
 
@@ -449,23 +451,11 @@ public:
   }
 
 private:
-  /// The dual area of a vertex of a regular triangulation with edges of length 1.
-  static constexpr double area_of_unit_spacing = 0.8660254037844386;
-
   struct Coupling
   {
     Index neighbor;
     double weight;
   };
-
-  void fit_gradients()
-  {
-    const Point_complex& complex = m_frames.triangulation();
-    m_gradient.assign(complex.number_of_halfedges(), 0);
-    for (Index vertex = 0; vertex < complex.number_of_vertices(); ++vertex) {
-      fit_gradient(vertex);
-    }
-  }
 
   /// Solves the normal equations of the slopes along the edges: each counts the same, however long its edge is.
   void fit_gradient(Index vertex)

@@ -99,26 +99,6 @@ private:
   std::vector<Index> m_neighbors;
 };
 
-/// Goes from `vertex` to the neighbor that is nearest to `point`, again and again until none is nearer.
-/// \param is_allowed whether to go on from its first argument to its second one
-template <class Predicate>
-Index descend_to_nearest(const Point_complex& complex, const Vector3& point, Index vertex, const Predicate& is_allowed)
-{
-  double min_distance = (complex.point(vertex) - point).squaredNorm();
-  for (Index center = no_index; center != vertex;) {
-    center = vertex;
-    for (const Index h : complex.outgoing(center)) {
-      const Index neighbor = complex.target(h);
-      const double distance = (complex.point(neighbor) - point).squaredNorm();
-      if (distance < min_distance && is_allowed(center, neighbor)) {
-        min_distance = distance;
-        vertex = neighbor;
-      }
-    }
-  }
-  return vertex;
-}
-
 /// A point of the surface of a point complex.
 struct Projected_point
 {
@@ -170,9 +150,19 @@ private:
   /// Goes on to the nearest neighbor that looks to the same side until none is nearer.
   Index nearest(const Vector3& point, Index vertex) const
   {
-    return descend_to_nearest(m_complex, point, vertex, [this](Index from, Index to) {
-      return m_complex.normal(to).dot(m_complex.normal(from)) > 0;
-    });
+    double min_distance = (m_complex.point(vertex) - point).squaredNorm();
+    for (Index center = no_index; center != vertex;) {
+      center = vertex;
+      for (const Index h : m_complex.outgoing(center)) {
+        const Index neighbor = m_complex.target(h);
+        const double distance = (m_complex.point(neighbor) - point).squaredNorm();
+        if (distance < min_distance && m_complex.normal(neighbor).dot(m_complex.normal(center)) > 0) {
+          min_distance = distance;
+          vertex = neighbor;
+        }
+      }
+    }
+    return vertex;
   }
 
   /// Sets the normal of the surface at the point of `projected`. The weight at distance d from a point of radius r is
