@@ -335,10 +335,7 @@ Skeleton join_components(const Skeleton& skeleton)
 /// The largest side of the box of `points`.
 double size_of(const std::vector<Vector3>& points)
 {
-  Bounding_box box;
-  for (const Vector3& point : points) {
-    box.extend(point);
-  }
+  const Bounding_box box(points);
   return (box.max() - box.min()).maxCoeff();
 }
 

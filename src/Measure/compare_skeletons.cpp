@@ -119,12 +119,8 @@ void check_skeleton(const Skeleton& skeleton, const std::string& name)
 /// \throw Input_error if the coordinates are too large
 Normalization common_normalization(const Skeleton& a, const Skeleton& b)
 {
-  Bounding_box box;
-  for (const Skeleton* skeleton : {&a, &b}) {
-    for (const Vector3& point : skeleton->points) {
-      box.extend(point);
-    }
-  }
+  Bounding_box box(a.points);
+  box.extend(Bounding_box(b.points));
   const Vector3 extent = box.max() - box.min();
   const double diagonal = std::hypot(extent.x(), extent.y(), extent.z());
   if (!std::isfinite(diagonal)) {

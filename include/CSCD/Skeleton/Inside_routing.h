@@ -202,7 +202,8 @@ class Inside_routing
 public:
   /// Both are referred to.
   Inside_routing(const Surface& surface, Skeleton_builder& graph)
-      : m_surface(surface), m_graph(graph), m_offset(relative_offset * diagonal(surface.triangulation().points()))
+      : m_surface(surface), m_graph(graph),
+        m_offset(relative_offset * Bounding_box(surface.triangulation().points()).diagonal())
   {
   }
 
@@ -276,15 +277,6 @@ private:
   static constexpr int max_bends = 4;
   /// Shorter stretches outside count as rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
-
-  static double diagonal(const std::vector<Vector3>& points)
-  {
-    Bounding_box box;
-    for (const Vector3& point : points) {
-      box.extend(point);
-    }
-    return box.diagonal();
-  }
 
   /// Whether `node` is the only one of a component without thickness, such as a single triangle. That has no inside:
   /// rays would find another component.

@@ -22,6 +22,15 @@ namespace CSCD::internal {
 class Bounding_box
 {
 public:
+  Bounding_box() = default;
+  /// The box of `points`.
+  explicit Bounding_box(const std::vector<Vector3>& points)
+  {
+    for (const Vector3& point : points) {
+      extend(point);
+    }
+  }
+
   void extend(const Vector3& point)
   {
     m_min = m_min.cwiseMin(point);
