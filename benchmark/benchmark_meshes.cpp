@@ -180,16 +180,9 @@ Skeleton read_skeleton(const std::string& path)
   Skeleton skeleton;
   std::ifstream in(path);
   for (std::string kind; in >> kind; in.ignore(std::numeric_limits<std::streamsize>::max(), '\n')) {
-    if (kind == "n") {
-      double x = 0;
-      double y = 0;
-      double z = 0;
-      in >> x >> y >> z;
-      skeleton[add_vertex(skeleton)].point = Mesh::Point(x, y, z);
-    } else if (kind == "c") {
-      std::size_t a = 0;
-      std::size_t b = 0;
-      in >> a >> b;
+    if (Mesh::Point point; kind == "n" && in >> point) {
+      skeleton[add_vertex(skeleton)].point = point;
+    } else if (std::size_t a = 0, b = 0; kind == "c" && in >> a >> b) {
       add_edge(a, b, skeleton);
     }
   }

@@ -15,21 +15,18 @@
 #include <iostream>
 
 int main(int argc, char* argv[])
-{
+try {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   if (argc != 3) {
     std::cerr << "Usage: mcf_skeleton MESH SKELETON\n";
     return 1;
   }
-  try {
-    Mesh mesh;
-    CSCD::read_triangle_mesh(argv[1], mesh);
-    CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton skeleton;
-    CGAL::extract_mean_curvature_flow_skeleton(mesh, skeleton);
-    CSCD::write_skeleton(argv[2], skeleton);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  }
-  return 0;
+  Mesh mesh;
+  CSCD::read_triangle_mesh(argv[1], mesh);
+  CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton skeleton;
+  CGAL::extract_mean_curvature_flow_skeleton(mesh, skeleton);
+  CSCD::write_skeleton(argv[2], skeleton);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
 }

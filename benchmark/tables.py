@@ -121,14 +121,6 @@ def mesh_table(medians):
                      "MB, CSCD / MCF"], rows)
 
 
-def quality_table(medians):
-    columns = [("betti_number", count), ("percent_inside", "{:.1f}".format), ("nodes", count), ("tips", count)]
-    rows = [[mesh, count(runs["CSCD"]["genus"]),
-             *(" / ".join(form(runs[name][key]) for name in ("CSCD", "MCF")) for key, form in columns)]
-            for mesh, runs in runs_of(medians, "mesh").items()]
-    return markdown(["mesh", "genus", "cycles, CSCD / MCF", "length inside, %", "nodes", "tips"], rows)
-
-
 def growth_table(medians):
     def exponent(first, last):
         return math.log(last["seconds"] / first["seconds"]) / math.log(last["vertices"] / first["vertices"])

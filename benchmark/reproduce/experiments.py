@@ -11,7 +11,6 @@ those in the pages.
 
 import argparse
 import json
-import os
 import pathlib
 import statistics
 import sys
@@ -39,8 +38,7 @@ def performance(lab, options):
     names = ["elephant", "knot1", "homer", "camel", "armadillo", "refined_elephant"][:2 if options.quick else None]
     medians = benchmark(lab, "benchmark_meshes", options, f"--growing={1 if options.quick else 5}",
                         *map(lab.mesh, names))
-    return {"meshes": tables.mesh_table(medians), "quality": tables.quality_table(medians),
-            "growth": tables.growth_table(medians)}
+    return {"meshes": tables.mesh_table(medians), "growth": tables.growth_table(medians)}
 
 
 def geodesics(lab, options):
@@ -229,14 +227,6 @@ def sampling_table(clouds):
                      "error: points / mesh", "CPU s", "largest"], rows)
 
 
-def cloud_table(clouds):
-    """One row for each mesh: the topology of the skeletons of its clouds."""
-    return markdown(["mesh", "of the mesh", *SAMPLINGS],
-                    [[name, f"{mesh['surface_components']}, {mesh['genus']}; {mesh['tips']}",
-                      *map(topology, runs.values())]
-                     for name, (mesh, runs) in clouds.items()])
-
-
 def points(lab, options):
     """Skeletons of points drawn from meshes, by default and as published. Data: folders of closed meshes."""
     names = ["armadillo", "bear", "bull", "cactus", "camel", "cow", "dino", "elephant", "elk", "femur", "hand", "homer",
@@ -254,7 +244,6 @@ def points(lab, options):
                 of_clouds[sampling] = {**facts(lab.evaluate(mesh)), "seconds": cost.cpu}
             clouds[mesh.stem] = of_mesh, of_clouds
         result[kind + "samplings"] = sampling_table(clouds)
-        result[kind + "clouds"] = cloud_table(clouds)
     rows = []
     for size in [5000, 20000] if options.quick else [5000, 20000, 100000, 300000, 1000000]:
         cloud = lab.make("points.xyz", "points", lab.mesh("armadillo"), str(size), "0.3", "0")
@@ -287,21 +276,16 @@ def graphs(lab, options):
                           "cones": errors["error"] / row["LS cone error"],
                           "convolution": errors["convolution"] / row["LS error"]})
         cloud = lab.make("points.xyz", "points", mesh, "5000", "0", "0")
-        clouds.append((mesh.stem, of_graph(cloud, "--neighbors", "24")))
+        clouds.append(of_graph(cloud, "--neighbors", "24"))
     rows = [[row["mesh"], "yes" if is_right(row) else "no", f"{row['tips']}, {row['LS tips']}", f"{row['cones']:.2f}",
              f"{row['convolution']:.2f}", f"{row['seconds']:.2f}", f"{row['ratio']:.0f}"] for row in edges]
     if edges:
         means = [statistics.geometric_mean(row[key] for row in edges) for key in ("cones", "convolution", "seconds")]
         rows.append(["geometric mean", f"{sum(map(is_right, edges))} of {len(edges)}", "", *map("{:.2f}".format, means),
                      f"{statistics.geometric_mean(row['ratio'] for row in edges):.0f}"])
-    right = sum(is_right(run) for _, run in clouds)
     return {"graphs_of_edges": markdown(["edges of", "topology right", "tips, LS", "cone error / LS",
                                          "convolution error / LS", "s", "times as fast as LS"], rows),
-            "graphs_of_points": markdown(
-                ["5000 points on", "components too many", "cycles too many", "tips", "s"],
-                [[mesh, str(run["components"] - run["surface_components"]), str(run["betti_number"] - run["genus"]),
-                  str(run["tips"]), f"{run['seconds']:.2f}"] for mesh, run in clouds])
-            + f"\n\n{right} of {len(clouds)} clouds are right."}
+            "graphs_of_points": f"{sum(map(is_right, clouds))} of {len(clouds)} have the right topology."}
 
 
 def trees(lab, options):
@@ -343,53 +327,8 @@ def trees(lab, options):
     return result
 
 
-# Compilation.
-
-ONE_CALL = """#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-"""
-CSCD_CALL = ONE_CALL + """#include <CSCD/Skeleton_graph.h>
-#include <CSCD/extract_curve_skeleton.h>
-void skeletonize(const Mesh& mesh, CSCD::Skeleton_graph<Mesh::Point, Mesh::Vertex_index>& skeleton)
-{
-  CSCD::extract_curve_skeleton(mesh, skeleton);
-}
-"""
-MCF_CALL = ONE_CALL + """#include <CGAL/extract_mean_curvature_flow_skeleton.h>
-void skeletonize(const Mesh& mesh, CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton& skeleton)
-{
-  CGAL::extract_mean_curvature_flow_skeleton(mesh, skeleton);
-}
-"""
-
-
-def compile_time(lab, options):
-    """Seconds and memory of the compiler for files that use the library."""
-    flags = ["-std=c++17", "-O0" if options.quick else "-O2", "-frounding-math", "-DCGAL_LINKED_WITH_TBB",
-             f"-I{ROOT / 'include'}", "-isystem", "/usr/include/eigen3"]
-    rows = []
-    for name, text in [("`CGAL/Surface_mesh.h` alone", ONE_CALL), ("one call of CGAL's mean curvature flow", MCF_CALL),
-                       ("one call, of a `Surface_mesh`", CSCD_CALL),
-                       ("the program of the README", (ROOT / "examples/readme_example.cpp").read_text())]:
-        source = lab.folder / "source.cpp"
-        source.write_text(text)
-        row = [name]
-        for macros in [[], ["-DCSCD_COMPILED"]]:
-            if macros and "CSCD" not in text:
-                row += [NOTHING, NOTHING]
-                continue
-            _, cost = run(os.environ.get("CXX", "g++"), *flags, *macros, "-c", "-o", os.devnull, source)
-            row += [f"{cost.cpu:.1f}", count(cost.megabytes)]
-        rows.append(row)
-    return {"compile_time": markdown(["compiled file", "header-only: CPU s", "MB", "`CSCD::compiled`: CPU s", "MB"],
-                                     rows)}
-
-
 EXPERIMENTS = {function.__name__: function for function in
-               (performance, geodesics, published, points, graphs, trees, compile_time)}
-# The name of the place for the sentence on the circumstances, where it is not that of the experiment.
-PLACES = {"published": "method", "points": "clouds"}
+               (performance, geodesics, published, points, graphs, trees)}
 
 
 def main():
@@ -407,7 +346,7 @@ def main():
     is_timed = options.name in ("performance", "geodesics")
     sentence = tables.circumstances(options.command, options.build, options.repetitions if is_timed else 1)
     print(sentence, *(f"{name}:\n\n{table}" for name, table in found.items()), sep="\n\n")
-    found[f"circumstances_of_{PLACES.get(options.name, options.name)}"] = sentence
+    found[f"circumstances_of_{options.name}"] = sentence
     if options.write:
         for path in [*sorted((ROOT / "doc").glob("*.md")), ROOT / "README.md"]:
             tables.replace_between_markers(path, found)

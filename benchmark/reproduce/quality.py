@@ -22,9 +22,6 @@ from programs import Failure, Laboratory, turns
 from tables import markdown
 
 ENDINGS = (".off", ".obj", ".ply", ".stl")
-COLUMNS = ("set", "shape", "half", "failure", "vertices", "surface_components", "components", "genus", "betti_number",
-           "borders", "nodes", "edges", "nodes_outside", "edges_outside", "inside", "cone", "convolution", "offset",
-           "deviation", "turns_above_90", "tips", "limbs", "limbs_without_tip", "tips_without_limb", "seconds")
 HALVES = ("all", "odd", "even")
 
 
@@ -67,7 +64,7 @@ def measure(options, name_of_set, mesh, number):
 
 def write_rows(path, rows):
     with pathlib.Path(path).open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer = csv.DictWriter(file, dict.fromkeys(key for row in rows for key in row), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
 

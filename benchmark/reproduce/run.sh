@@ -12,7 +12,6 @@
 # points        likewise
 # graphs        likewise
 # trees         scans in XYZ format
-# compile_time
 # volumes       a folder that gets the volumes, about 100 MB
 # connectomics  the volume of Kimimaro's benchmark, decoded: see truths.py
 # rigs          quaternius-showcase/public/glb; the table is in doc/applications.md
@@ -21,7 +20,7 @@
 # quality       folders of meshes; by default CGAL's
 # pictures                            pictures of all pages
 #
-# Options of the first seven: --write replaces the tables in the pages and in README.md; --repetitions N, by default 3,
+# Options of the first six: --write replaces the tables in the pages and in README.md; --repetitions N, by default 3,
 # is for timed programs; --quick measures little, as a test of the scripts. applications.py and quality.py have others.
 
 set -euo pipefail
@@ -37,7 +36,6 @@ declare -A targets=(
   [points]="cscd make_input"
   [graphs]="cscd make_input"
   [trees]=measure_trees
-  [compile_time]=
   [volumes]=cscd
   [connectomics]=cscd
   [rigs]=cscd
@@ -48,7 +46,7 @@ declare -A targets=(
 )
 name=${1:-}
 if [[ -z ${targets[$name]+is_set} ]]; then
-  sed -n '6,25s/^# \?//p' "$0" >&2
+  sed -n '6,24s/^# \?//p' "$0" >&2
   exit 1
 fi
 shift

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Skeletons of volumes: Betti numbers of generated shapes at three resolutions, center lines and radii of generated
-vessel trees, next to the thinning of scikit-image where it is installed.
+"""Skeletons of volumes: Betti numbers of generated shapes at three resolutions, next to the thinning of scikit-image
+where it is installed.
 
 Usage: volumes.py BUILD FOLDER, which gets the volumes
 """
@@ -75,7 +75,7 @@ def trefoil(t):
 
 
 def vessel_tree(depth, rng):
-    """Segments of a tree whose radii follow Murray's law, and the points where it forks or ends."""
+    """Segments of a tree whose radii follow Murray's law."""
     segments = []
 
     def grow(start, direction, length, radius, level):
@@ -117,10 +117,7 @@ def euler_number(image):
         cells = padded
         for axis, extends in enumerate(dims):
             if not extends:
-                lower = [slice(None)] * 3
-                upper = [slice(None)] * 3
-                lower[axis], upper[axis] = slice(0, -1), slice(1, None)
-                cells = cells[tuple(lower)] | cells[tuple(upper)]
+                cells = cells | np.roll(cells, 1, axis)  # the last layer is empty
         total += (-1) ** sum(dims) * int(cells.sum())
     return total
 
@@ -140,30 +137,17 @@ def thin(image):
     return seconds, components, components - euler_number(thinned)
 
 
-def distances_to_segments(points, segments):
-    """The distance of each point to the nearest segment, and the radius of that."""
-    best = np.full(len(points), np.inf)
-    radius = np.zeros(len(points))
-    for a, b, r in segments:
-        t = np.clip((points - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
-        distance = np.linalg.norm(points - a - t[:, None] * (b - a), axis=1)
-        nearer = distance < best
-        best[nearer], radius[nearer] = distance[nearer], r
-    return best, radius
-
-
 def measure_shapes(lab, folder):
-    """The tables of topology and, for the trees, of center lines and radii."""
-    rows, tree_rows, right, thinned_right, total = [], [], 0, 0, 0
+    rows, right, thinned_right, total = [], 0, 0, 0
     for kind, bodies in shapes().items():
         seconds, thin_seconds = ({size: [] for size in RESOLUTIONS} for _ in range(2))
         of_kind = thinned_of_kind = 0
         for number, (segments, components, handles) in enumerate(bodies):
             for size in RESOLUTIONS:
                 image = Tube(segments).fill(size)
-                volume, skeleton = (folder / f"{kind}_{number}_{size}{ending}" for ending in (".nrrd", ".swc"))
+                volume = folder / f"{kind}_{number}_{size}.nrrd"
                 write_nrrd(volume, image)
-                report, cost = lab.skeletonize(volume, skeleton=skeleton)
+                report, cost = lab.skeletonize(volume)
                 seconds[size].append(cost.wall)
                 found = (report["number_of_skeleton_components"], report["betti_number"])
                 # The topology of the voxels may differ from that of the shape where it is thinner than a voxel.
@@ -172,8 +156,6 @@ def measure_shapes(lab, folder):
                 if thinned:
                     thin_seconds[size].append(thinned[0])
                     thinned_of_kind += thinned[1:] == (components, handles)
-                if "vessels" in kind:
-                    tree_rows.append([f"{4 << number} ends, {size}³", *vessel_errors(skeleton, segments, size)])
         number = len(bodies) * len(RESOLUTIONS)
         right, thinned_right, total = right + of_kind, thinned_right + thinned_of_kind, total + number
         means = [[f"{statistics.fmean(times):.2f}" if times else "" for times in kept.values()]
@@ -183,28 +165,7 @@ def measure_shapes(lab, folder):
     rows.append(["**all**", f"**{right} of {total}**", "", "", "", f"{thinned_right} of {total}", "", "", ""])
     sizes = [f"{'s at ' if size == RESOLUTIONS[0] else ''}{size}³" for size in RESOLUTIONS]
     print(markdown(["shapes at " + ", ".join(f"{size}³" for size in RESOLUTIONS), "components and handles right",
-                    *sizes, "thinning right", *sizes], rows), end="\n\n")
-    print(markdown(["tree", "radii, voxels", "offset, mean", "offset, 95 %", "radius error, mean",
-                    "radius error, 95 %"], tree_rows), end="\n\n")
-
-
-def vessel_errors(skeleton, segments, size):
-    """The radii of the segments, and the errors of center lines and radii, in voxels, of a skeleton in SWC format."""
-    lines = skeleton.read_text().splitlines()
-    nodes = np.array([line.split() for line in lines if line.strip() and not line.startswith("#")], float)
-    points, radii, parents = nodes[:, 2:5], nodes[:, 5], nodes[:, 6].astype(int)
-    degree = np.bincount(parents[parents > 0] - 1, minlength=len(points)) + (parents > 0)
-    places = (points + 0.5) / size
-    # Within 1.5 radii of forks and tips, center and radius differ from those of a segment.
-    ends = np.array([end for a, b, r in segments for end in (a, b)])
-    to_end = np.linalg.norm(places[:, None] - ends, axis=2) / np.repeat([r for _, _, r in segments], 2)
-    in_limb = (degree == 2) & (to_end.min(axis=1) > 1.5)
-    offset, radius = distances_to_segments(places[in_limb], segments)
-    error = np.abs(radii[in_limb] - radius * size)
-    true_radii = [radius * size for _, _, radius in segments]
-    return [f"{min(true_radii):.1f} to {max(true_radii):.1f}",
-            *(f"{number:.2f}" for values in (offset * size, error)
-              for number in (values.mean(), np.quantile(values, 0.95)))]
+                    *sizes, "thinning right", *sizes], rows))
 
 
 def main():
