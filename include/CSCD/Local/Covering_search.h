@@ -226,7 +226,7 @@ public:
   /// Scatters the vertices; the order depends on `random_seed` and the numbering of the surface alone.
   Source_sequence(const Surface_levels& levels, unsigned random_seed)
   {
-    const Surface_level& level = levels[levels.finest_with_at_most(max_candidates)];
+    const Surface_level& level = levels.precise();
     m_candidates.resize(level.surface.number_of_vertices());
     std::iota(m_candidates.begin(), m_candidates.end(), Index(0));
     boost::random::mt19937 scatter;
@@ -266,9 +266,6 @@ public:
   double progress() const { return m_candidates.empty() ? 1. : double(m_next) / double(m_candidates.size()); }
 
 private:
-  /// Sources are taken from the finest level of at most this many vertices: more lie closer together than the bands of
-  /// any limb that they could find.
-  static constexpr Index max_candidates = 60000;
   /// Sources among which the seed decides.
   static constexpr std::size_t block_size = 32;
 

@@ -133,13 +133,8 @@ public:
   /// The first query builds a search structure.
   /// @{
 
-  /// The level whose surface queries refer to: the finest one of at most 60000 vertices. Finer faces differ from it by
-  /// less than the precision of the skeleton.
-  const Surface_level& query_level() const
-  {
-    constexpr Index max_vertices = 60000;
-    return (*m_levels)[m_levels->finest_with_at_most(max_vertices)];
-  }
+  /// The level whose surface queries refer to.
+  const Surface_level& query_level() const { return m_levels->precise(); }
   /// The surface of that level.
   const Triangulated_surface& query_surface() const { return query_level().surface; }
   /// Whether the body contains `point`. Where the surface intersects itself, the inside of several sheets is inside.
