@@ -17,6 +17,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
+#include <CSCD/Skeleton/straighten_forks.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>
@@ -117,6 +118,7 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   routing.route_edges();
   divide_branches(graph);
   Branch_relaxation(solid, graph)();
+  Fork_straightening(routing, graph)();
   finish_on_sheets(solid, graph);
   routing.route_edges(true);
   graph.compact();
