@@ -17,7 +17,6 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
-#include <CSCD/Skeleton/straighten_forks.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>

@@ -1,18 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Merges and centers junctions.
+// Merges and centers junctions, and moves those of narrow forks.
 
 #ifndef CSCD_SKELETON_PLACE_JUNCTIONS_H
 #define CSCD_SKELETON_PLACE_JUNCTIONS_H
 
+#include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -134,6 +139,196 @@ private:
   const Triangulated_solid& m_solid;
   Skeleton_builder& m_builder;
   std::vector<Vector3> m_rim; ///< of sheets; empty until there is a junction on one
+};
+
+/// Straightens forks of tubes, as of vessels: a stem parts at a small angle in two branches, and the middle of the body
+/// is that of both until their walls part. There, a junction lies up to three radii behind the axes' meeting point.
+class Fork_straightening
+{
+public:
+  /// Both are referred to.
+  Fork_straightening(Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
+      : m_routing(routing), m_graph(graph)
+  {
+  }
+
+  /// Moves the junctions of all narrow forks of relaxed branches.
+  void operator()()
+  {
+    const Index number_of_nodes = m_graph.size();
+    for (Index node = 0; node < number_of_nodes; ++node) {
+      if (m_graph.degree(node) == 3 && !m_graph[node].is_on_sheet) {
+        straighten(node);
+      }
+    }
+  }
+
+private:
+  /// The cosine of the angle between the branches is at least this: of wider forks, the walls part within a radius.
+  static constexpr double min_cosine = 0.5;
+  /// The cosine of the turn from the stem to the mean direction of the branches.
+  static constexpr double min_straightness = 0.8;
+  /// The radius of the stem, relative to that of the thicker branch: by Murray's law at most the cube root of two. The
+  /// trunk of a body is thicker than its legs.
+  static constexpr double max_thickness = 1.26;
+  /// The direction of a branch is that of a part of this length, relative to its radius.
+  static constexpr double axis_length = 2;
+  /// The distance between the axes of the branches, and from these to that of the stem, relative to its radius.
+  static constexpr double max_gap = 0.4;
+  /// The way of a junction, likewise: shorter ways are not worth it, longer ones not certain.
+  static constexpr double min_way = 0.5;
+  static constexpr double max_way = 4;
+  /// The next node of the stem is at least this far from the new junction, likewise.
+  static constexpr double min_edge = 0.3;
+
+  /// A branch, seen from the junction.
+  struct Limb
+  {
+    std::vector<Index> nodes;        ///< from the junction to where the branch has walls of its own
+    Vector3 start = Vector3::Zero(); ///< the last of these
+    Vector3 direction = Vector3::Zero();
+    double radius = 0;
+  };
+
+  /// The branch from `junction` over its neighbor `node`; none if it is short.
+  std::optional<Limb> limb(Index junction, Index node) const
+  {
+    Limb result;
+    Index last = junction;
+    const auto go_on = [&] { last = std::exchange(node, m_graph.other_neighbor(node, last)); };
+    const auto is_on_branch = [&] { return m_graph.is_regular(node) && !m_graph[node].is_opening; };
+    const auto is_in_ball = [&] { return m_graph.edge_length(node, junction) < m_graph[junction].radius; };
+    for (; is_on_branch() && is_in_ball(); go_on()) {
+      result.nodes.push_back(node);
+    }
+    if (!is_on_branch()) {
+      return std::nullopt;
+    }
+    result.nodes.push_back(node);
+    result.start = m_graph[node].position;
+    result.radius = m_graph[node].radius;
+    double length = 0;
+    while (is_on_branch() && length < axis_length * result.radius) {
+      go_on();
+      length += m_graph.edge_length(last, node);
+    }
+    result.direction = (m_graph[node].position - result.start).normalized();
+    return length >= axis_length * result.radius / 2 ? std::optional<Limb>(result) : std::nullopt;
+  }
+
+  void straighten(Index junction)
+  {
+    std::array<Limb, 3> limbs;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::optional<Limb> found = limb(junction, m_graph[junction].neighbors[i]);
+      if (!found) {
+        return;
+      }
+      limbs[i] = *std::move(found);
+    }
+    // The stem is opposite to the two that part at the smallest angle.
+    const auto cosine = [&](std::size_t i) { return limbs[(i + 1) % 3].direction.dot(limbs[(i + 2) % 3].direction); };
+    const std::size_t stem = cosine(0) >= std::max(cosine(1), cosine(2)) ? 0 : cosine(1) >= cosine(2) ? 1 : 2;
+    std::rotate(limbs.begin(), limbs.begin() + std::ptrdiff_t(stem), limbs.end());
+    const std::optional<Vector3> place = meeting_point(m_graph[junction].position, limbs);
+    if (!place) {
+      return;
+    }
+    if (const auto passed = nodes_before(*place, junction, limbs[0])) {
+      move(junction, *place, *passed, limbs);
+    }
+  }
+
+  /// Where the axes of the branches, `limbs` 1 and 2, meet in the stem, `limbs` 0.
+  std::optional<Vector3> meeting_point(const Vector3& junction, const std::array<Limb, 3>& limbs)
+  {
+    const auto& [stem, a, b] = limbs;
+    const double cosine = a.direction.dot(b.direction);
+    const double squared_sine = 1 - cosine * cosine;
+    if (cosine < min_cosine || !(squared_sine > 0) || stem.radius > max_thickness * std::max(a.radius, b.radius) ||
+        -stem.direction.dot((a.direction + b.direction).normalized()) < min_straightness) {
+      return std::nullopt;
+    }
+    const Vector3 apart = b.start - a.start;
+    const double along_a = (apart.dot(a.direction) - cosine * apart.dot(b.direction)) / squared_sine;
+    const double along_b = (cosine * apart.dot(a.direction) - apart.dot(b.direction)) / squared_sine;
+    const Vector3 on_a = a.start + along_a * a.direction;
+    const Vector3 on_b = b.start + along_b * b.direction;
+    const Vector3 place = (on_a + on_b) / 2;
+    const Vector3 way = place - junction;
+    const double along_stem = way.dot(stem.direction);
+    const double gap = std::max((on_a - on_b).norm(), (way - along_stem * stem.direction).norm());
+    const bool is_near =
+        gap <= max_gap * stem.radius && way.norm() >= min_way * stem.radius && way.norm() <= max_way * stem.radius;
+    return is_near && along_stem > 0 && along_a < 0 && along_b < 0 && m_routing.is_free(place, a.start) &&
+                   m_routing.is_free(place, b.start)
+               ? std::optional<Vector3>(place)
+               : std::nullopt;
+  }
+
+  /// The nodes of `stem` that the junction passes on its way to `place`; none if the stem ends there, or the next edge
+  /// would leave the body.
+  std::optional<std::vector<Index>> nodes_before(const Vector3& place, Index junction, const Limb& stem)
+  {
+    std::vector<Index> passed;
+    Index last = junction;
+    Index node = stem.nodes.front();
+    while ((m_graph[node].position - place).dot(stem.direction) < min_edge * stem.radius) {
+      if (!m_graph.is_regular(node) || m_graph[node].is_opening) {
+        return std::nullopt;
+      }
+      passed.push_back(node);
+      last = std::exchange(node, m_graph.other_neighbor(node, last));
+    }
+    return m_routing.is_free(place, m_graph[node].position) ? std::optional(passed) : std::nullopt;
+  }
+
+  /// Moves `junction` to `place`, and the first nodes of the branches to straight lines from there. The separators and
+  /// pieces of the `passed` nodes go to the nearest of these.
+  void move(Index junction, const Vector3& place, const std::vector<Index>& passed, const std::array<Limb, 3>& limbs)
+  {
+    std::vector<Skeleton_builder::Node> removed;
+    for (const Index node : passed) {
+      removed.push_back(m_graph[node]);
+      m_graph[node].separators.clear();
+      m_graph[node].pieces.clear();
+      m_graph.contract(node, junction);
+    }
+    m_graph[junction].position = place;
+    m_graph[junction].radius = limbs[0].radius;
+    std::vector<Index> nodes{junction};
+    lead_straight(junction, limbs[1], nodes);
+    lead_straight(junction, limbs[2], nodes);
+    for (const Skeleton_builder::Node& node : removed) {
+      const auto squared_distance = [&](Index i) { return (m_graph[i].position - node.position).squaredNorm(); };
+      Skeleton_builder::Node& heir = m_graph[*std::min_element(
+          nodes.begin(), nodes.end(), [&](Index i, Index j) { return squared_distance(i) < squared_distance(j); })];
+      heir.separators.insert(heir.separators.end(), node.separators.begin(), node.separators.end());
+      heir.pieces.insert(heir.pieces.end(), node.pieces.begin(), node.pieces.end());
+    }
+  }
+
+  /// Moves the nodes of `limb` to the line from `junction` to its start, inserts others where they would be more than a
+  /// radius apart, and appends all to `nodes`.
+  void lead_straight(Index junction, const Limb& limb, std::vector<Index>& nodes)
+  {
+    const Vector3 from = m_graph[junction].position;
+    const Vector3 way = limb.start - from;
+    const std::size_t number = limb.nodes.size();
+    const std::size_t parts = std::max(std::size_t(std::ceil(way.norm() / limb.radius)), number);
+    Index last = junction;
+    for (std::size_t i = 1; i <= parts; ++i) {
+      const Vector3 position = from + double(i) / double(parts) * way;
+      const bool is_new = i + number <= parts;
+      last = is_new ? m_graph.split_edge(last, limb.nodes.front(), position, limb.radius)
+                    : limb.nodes[i + number - parts - 1];
+      m_graph[last].position = position;
+      nodes.push_back(last);
+    }
+  }
+
+  Inside_routing<Triangulated_solid>& m_routing;
+  Skeleton_builder& m_graph;
 };
 
 } // namespace CSCD::internal
