@@ -26,8 +26,9 @@
 
 namespace CSCD::internal {
 
-/// The square of the longest edge allowed where `size` vertices sample `area`, relative to which an even triangulation
-/// has edges of 1.07: the factor keeps clear of uneven ones and of the halving of edges.
+/// The square of the longest edge allowed where `size` vertices sample `area`. Relative to the square root of the area
+/// of a vertex, an even triangulation has edges of 1.07: the factor keeps clear of uneven ones and of the halving of
+/// edges.
 inline double squared_edge(double area, double size)
 {
   constexpr double edge_factor = 2.2; // relative to the square root of the area that a vertex has
@@ -104,9 +105,9 @@ inline std::vector<std::size_t> numbers_of_flat_faces(const Indexed_triangles& t
 /// The bound of edges that are left as they are.
 inline constexpr double no_bound = std::numeric_limits<double>::max();
 
-/// Splits long edges at their midpoints, the longest first. In some components, it flips edges between faces of one
-/// plane so that these are a Delaunay triangulation all the time: slivers, which fill facets of many corners, then need
-/// few vertices.
+/// Splits long edges at their midpoints, the longest first, except between hole-filling faces, and flips edges between
+/// faces of one plane so that these are a Delaunay triangulation all the time: slivers, which fill facets of many
+/// corners, then need few vertices.
 class Face_refinement : private Triangle_halfedges
 {
 public:
@@ -389,22 +390,20 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
 
 /// Splits the second face of every component of two faces at its center. A single triangle becomes such a component
 /// when its border is bridged; refined as it is, it would get several edges between the same vertices. Linear.
-/// \return the number of inserted vertices
 /// \pre `triangles` is closed; `pairing` and `components` are those of its faces, and are kept so
-inline std::size_t split_two_face_components(Indexed_triangles& triangles, Halfedge_pairing& pairing,
-                                             Surface_components& components)
+inline void split_two_face_components(Indexed_triangles& triangles, Halfedge_pairing& pairing,
+                                      Surface_components& components)
 {
   std::vector<Index> number_of_faces(components.number(), 0);
   for (Index component : components.component) {
     ++number_of_faces[component];
   }
   if (std::find(number_of_faces.begin(), number_of_faces.end(), Index(2)) == number_of_faces.end()) {
-    return 0;
+    return;
   }
   std::vector<std::array<Index, 3>> faces;
   std::vector<Index> component_of_face;
   std::vector<char> is_visited(components.number(), 0);
-  const std::size_t number_of_points = triangles.points.size();
   std::size_t first_hole_filling_face = 0;
   for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
     const auto [a, b, c] = triangles.faces[f];
@@ -424,7 +423,6 @@ inline std::size_t split_two_face_components(Indexed_triangles& triangles, Halfe
   triangles.first_hole_filling_face = first_hole_filling_face;
   components.component = std::move(component_of_face);
   pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-  return triangles.points.size() - number_of_points;
 }
 
 /// Vertices that sample a body well enough for fronts and loops. Fuzz targets are run with fewer, for a tenth of the
