@@ -62,10 +62,10 @@ Inside_count count_inside(const Mesh& mesh, const Skeleton& skeleton)
   const Shape shape = to_shape(mesh);
   const Exact_mesh body = to_mesh<Exact_mesh>(shape);
   const CGAL::Side_of_triangle_mesh<Exact_mesh, Kernel> side(body);
-  // CGAL uses the parity of crossings, wrong within an even number of sheets, and refuses faces without area.
+  // CGAL uses the parity of crossings: a point that an even number of sheets contain may still be inside.
   const auto is_outside = [&](const Triple& p) {
-    return std::fabs(winding_number(shape, p)) < 0.5 &&
-           side(Kernel::Point_3(p[0], p[1], p[2])) == CGAL::ON_UNBOUNDED_SIDE;
+    return side(Kernel::Point_3(p[0], p[1], p[2])) == CGAL::ON_UNBOUNDED_SIDE &&
+           std::fabs(winding_number(shape, p)) < 0.5;
   };
   Inside_count result;
   result.number_of_nodes = num_vertices(skeleton);
