@@ -45,15 +45,12 @@ class Sheet_search
 {
 public:
   Sheet_search(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
-      : m_triangles(triangles), m_pairing(pairing), m_components(triangles.points.size()),
+      : m_triangles(triangles), m_pairing(pairing),
+        m_components(sets_of_vertices(triangles.faces, triangles.points.size())),
         m_border_of_vertex(triangles.points.size(), no_index), m_position(triangles.points.size(), 0),
         m_is_sheet(triangles.points.size(), 0), m_width(triangles.points.size(), 0)
   {
     collect_borders();
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      m_components.join(face[0], face[1]);
-      m_components.join(face[0], face[2]);
-    }
   }
 
   /// Takes all borders for wide and all components that have one for sheets.

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -113,17 +114,15 @@ class Face_refinement : private Triangle_halfedges
 public:
   /// \param squared_bound the square of the longest allowed edge of each component
   /// \param is_open of each component, whether it has hole-filling faces or is a sheet: its edges are not flipped
-  Face_refinement(Indexed_triangles& triangles, const Halfedge_pairing& pairing, Surface_components& components,
+  Face_refinement(Indexed_triangles& triangles, Halfedge_pairing&& pairing, Surface_components& components,
                   const std::vector<double>& squared_bound, const std::vector<char>& is_open)
       : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound), m_is_open(is_open),
         m_is_hole_filling(triangles.faces.size())
   {
     std::fill(m_is_hole_filling.begin() + std::ptrdiff_t(triangles.first_hole_filling_face), m_is_hole_filling.end(),
               char(1));
-    m_twin.reserve(pairing.number_of_halfedges());
-    for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
-      m_twin.push_back(pairing.twin(h));
-    }
+    Compressed_rows<Index> outgoing; // not kept
+    std::move(pairing).move_to(m_twin, outgoing);
   }
 
   /// Inserts at most `max_number` vertices.
@@ -475,7 +474,7 @@ inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& p
   budget += std::size_t(midpoints_of_limb * limbs);
   for (Index i = 0; i < components.number(); ++i) {
     if (components.measures[i].max_squared_length > squared_bound[i]) {
-      Face_refinement(triangles, pairing, components, squared_bound, is_open)(budget);
+      Face_refinement(triangles, std::move(pairing), components, squared_bound, is_open)(budget);
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
       break;
     }
