@@ -16,6 +16,30 @@
 #include <cstddef>
 #include <type_traits>
 
+/// Expands `ADD(name)` for each of the library's own named parameters.
+#define CSCD_FOR_EACH_NAMED_PARAMETER(ADD)                                                                             \
+  ADD(number_of_threads)                                                                                               \
+  ADD(maximum_number_of_sources)                                                                                       \
+  ADD(detail)                                                                                                          \
+  ADD(node_spacing)                                                                                                    \
+  ADD(border_treatment)                                                                                                \
+  ADD(resolution)                                                                                                      \
+  ADD(use_skeleton_radii)                                                                                              \
+  ADD(match_distance)                                                                                                  \
+  ADD(time_step_factor)                                                                                                \
+  ADD(distance_map)                                                                                                    \
+  ADD(laplacian_threshold)                                                                                             \
+  ADD(angle_threshold)                                                                                                 \
+  ADD(minimum_branch_length)                                                                                           \
+  ADD(root)                                                                                                            \
+  ADD(policies)                                                                                                        \
+  ADD(minimum_component_size)                                                                                          \
+  ADD(minimum_significance)                                                                                            \
+  ADD(minimum_length_over_radius)                                                                                      \
+  ADD(join_components)                                                                                                 \
+  ADD(spacing)                                                                                                         \
+  ADD(spacing_over_radius)
+
 // Later versions of CGAL have further kinds of entries in their list; here all of them are ordinary parameters.
 #define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
@@ -28,13 +52,9 @@ namespace CSCD {
 namespace internal_np {
 
 #ifndef DOXYGEN_RUNNING
-#define CSCD_add_named_parameter(X, Y, Z)                                                                              \
-  enum X                                                                                                               \
-  {                                                                                                                    \
-    Y                                                                                                                  \
-  };
-#include <CSCD/internal/parameters_interface.h>
-#undef CSCD_add_named_parameter
+#define CSCD_ADD_TAG(NAME) enum NAME##_t{NAME};
+CSCD_FOR_EACH_NAMED_PARAMETER(CSCD_ADD_TAG)
+#undef CSCD_ADD_TAG
 #endif
 
 } // namespace internal_np
@@ -64,14 +84,14 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
-#define CSCD_add_named_parameter(X, Y, Z)                                                                              \
+#define CSCD_ADD_MEMBER(NAME)                                                                                          \
   template <class K>                                                                                                   \
-  Named_parameters<K, internal_np::X, self> Z(const K& value) const                                                    \
+  Named_parameters<K, internal_np::NAME##_t, self> NAME(const K& value) const                                          \
   {                                                                                                                    \
     return {value, *this};                                                                                             \
   }
-#include <CSCD/internal/parameters_interface.h>
-#undef CSCD_add_named_parameter
+  CSCD_FOR_EACH_NAMED_PARAMETER(CSCD_ADD_MEMBER)
+#undef CSCD_ADD_MEMBER
 #endif
 };
 
@@ -203,14 +223,14 @@ Named_parameters<K, parameter_tag> parameter_name(const K& value);
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
-#define CSCD_add_named_parameter(X, Y, Z)                                                                              \
+#define CSCD_ADD_FUNCTION(NAME)                                                                                        \
   template <class K>                                                                                                   \
-  Named_parameters<K, internal_np::X> Z(const K& value)                                                                \
+  Named_parameters<K, internal_np::NAME##_t> NAME(const K& value)                                                      \
   {                                                                                                                    \
     return {value};                                                                                                    \
   }
-#include <CSCD/internal/parameters_interface.h>
-#undef CSCD_add_named_parameter
+CSCD_FOR_EACH_NAMED_PARAMETER(CSCD_ADD_FUNCTION)
+#undef CSCD_ADD_FUNCTION
 #endif
 
 /// joins chains of named parameters, those begun by `CGAL::parameters` included. The result can be prolonged.

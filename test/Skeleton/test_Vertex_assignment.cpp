@@ -9,7 +9,6 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector3.h>
