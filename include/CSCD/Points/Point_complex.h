@@ -137,11 +137,7 @@ public:
   /// The length of `halfedge`.
   double length(Index halfedge) const { return m_lengths[halfedge]; }
   /// 0 without edges.
-  double mean_edge_length() const
-  {
-    const double sum = std::accumulate(m_lengths.begin(), m_lengths.end(), 0.);
-    return m_lengths.empty() ? 0 : sum / double(m_lengths.size());
-  }
+  double mean_edge_length() const { return m_mean_edge_length; }
   /// @}
 
   /// \name Triangles
@@ -180,6 +176,8 @@ private:
         m_lengths.push_back((m_points[neighbor] - m_points[v]).norm());
       }
     }
+    const double sum = std::accumulate(m_lengths.begin(), m_lengths.end(), 0.);
+    m_mean_edge_length = m_lengths.empty() ? 0 : sum / double(m_lengths.size());
   }
 
   /// The angle in [0, 2 pi) that turns the direction to `from` to that to `to`, around the normal of `center`.
@@ -237,6 +235,7 @@ private:
   std::vector<Index> m_twins;                 // of every halfedge
   std::vector<double> m_lengths;              // of every halfedge
   std::vector<std::array<Index, 3>> m_faces;  // their halfedges
+  double m_mean_edge_length = 0;
   Index m_number_of_components = 0;
 };
 
