@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <random>
 #include <vector>
@@ -208,6 +209,23 @@ TEST(extract_cut_locus_from_points, lies_between_several_sources)
   for (double angle = 0; angle < 2 * pi; angle += 0.1) {
     EXPECT_LT(distance_from(graph, {std::cos(angle), std::sin(angle), 0}), 4 * samples.edge);
   }
+}
+
+TEST(extract_cut_locus_from_points, takes_far_less_than_quadratic_time)
+{
+  const auto least_time = [](std::size_t number) {
+    const std::vector<Point> points = to_range(CSCD::test::sampled(CSCD::test::torus(1.5, 1, 64), number, 5));
+    double least = std::numeric_limits<double>::max();
+    for (int i = 0; i < 3; ++i) {
+      const std::clock_t begin = std::clock();
+      Graph graph;
+      CSCD::extract_cut_locus(points, 0, graph);
+      least = std::min(least, double(std::clock() - begin));
+    }
+    return least;
+  };
+  // Four times as many points: sixteen times as long if the time is quadratic.
+  EXPECT_LT(least_time(8000), 9 * least_time(2000));
 }
 
 TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
