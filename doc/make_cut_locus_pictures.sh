@@ -43,9 +43,9 @@ take_page() {
     --enable-unsafe-swiftshader --ignore-gpu-blocklist --virtual-time-budget=5000
 }
 
-# draw SOURCE TURN prints a picture of points.xyz with the curves of the program, seen from the side to which the
-# upright body is turned, in degrees. Points are discs so large that near ones hide far ones: what is drawn is sorted by
-# depth, which each line has in front. Curves lie a little nearer than their points.
+# draw SOURCE TURN prints a picture of points.xyz with the curves of the program, the upright body turned by so many
+# degrees. Points are discs so large that near ones hide far ones: all shapes are sorted by depth, which each line has in
+# front. Curves lie a little nearer than their points.
 draw() {
   awk -v source="$1" -v turn="$2" '
     function put(x, y, z) {
