@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances on samples of surfaces with known ones; kinds of ranges, sources and parameters.
+// Distances on samples of surfaces with known ones; kinds of ranges and sources.
 
 #include "Traits/message_of.h"
 #include "support/Shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Named_parameters.h>
 #include <CSCD/estimate_geodesic_distances_on_points.h>
 
 #include <CGAL/Point_set_3.h>
@@ -31,7 +30,6 @@ using Vector = Kernel::Vector_3;
 using Points = std::vector<Point>;
 using Estimator = CSCD::Point_set_distance_estimator<Points>;
 using CSCD::test::Triple;
-namespace parameters = CSCD::parameters;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -97,13 +95,15 @@ TEST(estimate_geodesic_distances_on_points, is_infinite_elsewhere_and_zero_at_du
 {
   std::vector<Triple> triples = CSCD::test::chain_of_rings(2, 16).points;
   const std::size_t number = triples.size() / 2; // of each ring
-  triples.push_back(triples[3]);
-  const std::vector<double> distances = distances_from(to_cgal_points(triples), 3);
-  EXPECT_EQ(0, distances.back());
-  for (std::size_t i = 0; i < 2 * number; ++i) {
-    EXPECT_EQ(i < number, std::isfinite(distances[i])) << i;
-    EXPECT_EQ(i >= number, distances[i] == infinity) << i;
+  // Outliers: a pair, and one so far away that the shape is a point compared with that.
+  triples.insert(triples.end(), {{0, 0, 30}, {0, 0, 30.1}, {1e6, 0, 0}, triples[3]});
+  const Points points = to_cgal_points(triples);
+  const std::vector<double> distances = distances_from(points, 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_TRUE(i < number ? std::isfinite(distances[i]) : distances[i] == (points[i] == points[3] ? 0 : infinity));
   }
+  const std::vector<double> from_outlier = distances_from(points, points.size() - 2);
+  EXPECT_EQ(std::ptrdiff_t(points.size()) - 1, std::count(from_outlier.begin(), from_outlier.end(), infinity));
 }
 
 TEST(Point_set_distance_estimator, estimates_from_each_of_many_sets_as_from_one)

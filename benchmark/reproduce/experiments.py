@@ -85,7 +85,7 @@ def facts(measures, position=None):
             "error": 1000 * measures["round_cones"]["mean"], "convolution": 1000 * measures["convolution"]["mean"]}
 
 
-def measured(lab, mesh, *options, altered=None, resolution=20):
+def measured(lab, mesh, *options, altered=None, resolution=100):
     """The facts of the skeleton of a mesh, or of an altered one, compared with the mesh; None if it fails."""
     try:
         report, cost = lab.skeletonize(altered or mesh, *options)

@@ -81,7 +81,7 @@ class Laboratory:
                       "--threads", "1", *options, **keywords)
         return json.loads(report.read_text()), cost
 
-    def evaluate(self, mesh, skeleton=None, resolution=20, **keywords):
+    def evaluate(self, mesh, skeleton=None, resolution=100, **keywords):
         """The measures of a skeleton. The errors of reconstructed surfaces need a resolution of 100 or more."""
         return json.loads(run(self.cscd, "evaluate", mesh, skeleton or self.skeleton, "--json", "--quiet",
                               "--resolution", resolution, **keywords)[0])

@@ -63,8 +63,7 @@ case $name in
     figures=$source_dir/doc/fig
     "$source_dir/doc/make_screenshots.sh" "$build_dir/bin/cscd" "$figures"
     /usr/bin/python3 "$source_dir/doc/make_figures.py" --program "$build_dir/bin/cscd" --output "$figures"
-    "$source_dir/doc/make_cut_locus_pictures.sh" "$build_dir/bin/cut_locus_example" "$figures"
-    "$source_dir/doc/make_point_cut_locus_pictures.sh" "$build_dir/bin/point_cut_locus_example" "$figures"
+    "$source_dir/doc/make_cut_locus_pictures.sh" "$build_dir/bin" "$figures"
     ;;
   *) exec /usr/bin/python3 "$scripts/experiments.py" "$build_dir" "$command" "$name" "$@" ;;
 esac

@@ -12,15 +12,13 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <Eigen/Eigenvalues>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,25 +28,25 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   cloud.pose = Canonical_pose(cloud.points);
-  std::vector<Kernel::Point_3> posed;
-  posed.reserve(cloud.points.size());
-  for (const Vector3& point : cloud.points) {
-    const Vector3 place = cloud.pose(point);
-    posed.emplace_back(place.x(), place.y(), place.z());
+  // Side by side, since the sort reads the points all the time.
+  using Numbered_point = std::pair<Kernel::Point_3, Index>;
+  std::vector<Numbered_point> order;
+  order.reserve(cloud.points.size());
+  for (Index i = 0; i < cloud.points.size(); ++i) {
+    const Vector3 place = cloud.pose(cloud.points[i]);
+    order.emplace_back(Kernel::Point_3(place.x(), place.y(), place.z()), i);
   }
-  std::vector<Index> order(cloud.points.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  const auto map = boost::make_iterator_property_map(posed.cbegin(), boost::typed_identity_property_map<Index>());
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(map)>>(map));
+  using Map = CGAL::First_of_pair_property_map<Numbered_point>;
+  CGAL::hilbert_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>());
   std::vector<Index> number(order.size());
   std::vector<Vector3> points;
   std::vector<Vector3> normals;
   for (Index i = 0; i < order.size(); ++i) {
-    number[order[i]] = i;
-    points.push_back(cloud.points[order[i]]);
+    const Index old = order[i].second;
+    number[old] = i;
+    points.push_back(cloud.points[old]);
     if (!cloud.normals.empty()) {
-      normals.push_back(cloud.normals[order[i]]);
+      normals.push_back(cloud.normals[old]);
     }
   }
   for (Index& point : cloud.input_point) {
