@@ -278,7 +278,7 @@ Measured_surface measured_surface(Measured_input&& input)
 /// the faces of a cell does not matter.
 void measure_reverse(const Triangulated_surface& surface, const Measured_surface& measured, Reconstruction_error& error)
 {
-  constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
+  constexpr std::size_t enough_faces = 50000; // for a mean that is right to one percent
   const std::size_t number_of_faces = surface.number_of_faces();
   const std::size_t number_of_samples = std::min(number_of_faces, enough_faces);
   const double stretch = double(number_of_faces) / double(number_of_samples);
