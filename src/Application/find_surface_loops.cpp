@@ -33,7 +33,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -265,10 +264,9 @@ public:
     if (m_classes.size() > 0) {
       add_basis_loops();
     }
-    sort_candidates();
-    if (add_untwisted_loops()) {
-      sort_candidates();
-    }
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.is_over_hole, a.measures.length) < std::tie(b.is_over_hole, b.measures.length);
+    });
     std::vector<Surface_loop<Vector3>> result;
     for (const Loop_kind kind : {Loop_kind::handle, Loop_kind::tunnel}) {
       for (const Candidate* candidate : independent_loops(kind)) {
@@ -294,7 +292,6 @@ private:
 
   struct Candidate
   {
-    std::vector<Index> halfedges; // before it was shortened
     Surface_path path;
     Polygon_measures measures;
     Bits loop_class;
@@ -350,7 +347,7 @@ private:
   }
 
   /// Shortens the loop along `halfedges` and adds it. \return whether it runs along different edges of the surface
-  bool add_candidate(std::vector<Index> halfedges)
+  bool add_candidate(const std::vector<Index>& halfedges)
   {
     if (halfedges.size() < 3 || std::find(halfedges.begin(), halfedges.end(), no_index) != halfedges.end()) {
       return false;
@@ -375,7 +372,6 @@ private:
         candidate.path.points.push_back({h, 0.});
       }
     }
-    candidate.halfedges = std::move(halfedges);
     if (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole)) {
       candidate.measures = measure_polygon(points(candidate));
       m_candidates.push_back(std::move(candidate));
@@ -406,13 +402,6 @@ private:
         }
       }
     }
-  }
-
-  void sort_candidates()
-  {
-    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return std::tie(a.is_over_hole, a.measures.length) < std::tie(b.is_over_hole, b.measures.length);
-    });
   }
 
   std::vector<Vector3> points(const Candidate& candidate) const
@@ -460,87 +449,6 @@ private:
       }
     }
     return result;
-  }
-
-  /// Where tunnel loops are missing: makes them of loops that go along a handle and also around it, by going around it
-  /// once more. \return whether there are new candidates
-  bool add_untwisted_loops()
-  {
-    const std::size_t old_number = m_candidates.size();
-    const std::vector<const Candidate*> handles = independent_loops(Loop_kind::handle);
-    Independent_bits tunnels;
-    for (const Candidate* tunnel : independent_loops(Loop_kind::tunnel)) {
-      tunnels.insert(tunnel->loop_class);
-    }
-    if (!m_is_consistent || 2 * tunnels.size() == m_classes.size()) {
-      return false;
-    }
-    std::vector<std::vector<Index>> untwisted;
-    for (const Candidate& candidate : m_candidates) {
-      const Bits tunnel_part = m_classes.tunnel_part(candidate.loop_class);
-      if (2 * tunnels.size() < m_classes.size() && tunnel_part != candidate.loop_class) {
-        std::optional<std::vector<Index>> loop = add_handles(candidate, tunnel_part, handles);
-        if (loop && tunnels.insert(tunnel_part)) {
-          untwisted.push_back(std::move(*loop));
-        }
-      }
-    }
-    for (std::vector<Index>& loop : untwisted) {
-      add_candidate(std::move(loop));
-    }
-    return m_candidates.size() > old_number;
-  }
-
-  /// The loop of `candidate` with `handles` inserted so that its class is `wanted`, if they can be.
-  std::optional<std::vector<Index>> add_handles(const Candidate& candidate, const Bits& wanted,
-                                                const std::vector<const Candidate*>& handles) const
-  {
-    std::vector<Index> loop = candidate.halfedges;
-    Bits rest = candidate.loop_class ^ wanted;
-    for (const Candidate* handle : handles) {
-      // Only sums of few handles come up: a handle must bring the class nearer.
-      if ((rest ^ handle->loop_class).count() < rest.count()) {
-        if (!insert_loop(handle->halfedges, loop)) {
-          return std::nullopt;
-        }
-        rest ^= handle->loop_class;
-      }
-    }
-    return rest.none() ? std::optional(loop) : std::nullopt;
-  }
-
-  /// Inserts `inserted` into `loop` at a vertex that both have; their common part then goes straight back.
-  bool insert_loop(std::vector<Index> inserted, std::vector<Index>& loop) const
-  {
-    const auto begins_at = [&](Index vertex) {
-      return [this, vertex](Index h) { return m_surface.origin(h) == vertex; };
-    };
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      auto place = std::find_if(inserted.begin(), inserted.end(), begins_at(m_surface.origin(loop[i])));
-      const Index last = loop[(i + loop.size() - 1) % loop.size()];
-      // Behind a common run, where there is one.
-      if (place == inserted.end() ||
-          std::find_if(inserted.begin(), inserted.end(), begins_at(m_surface.target(loop[i]))) != inserted.end()) {
-        continue;
-      }
-      std::rotate(inserted.begin(), place, inserted.end());
-      if (inserted.back() == last) {
-        std::reverse(inserted.begin(), inserted.end());
-        for (Index& h : inserted) {
-          h = m_surface.twin(h);
-        }
-      }
-      std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(i), loop.end());
-      for (const Index h : inserted) {
-        if (loop.back() == m_surface.twin(h)) {
-          loop.pop_back();
-        } else {
-          loop.push_back(h);
-        }
-      }
-      return true;
-    }
-    return false;
   }
   /// @}
 
