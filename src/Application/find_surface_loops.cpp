@@ -31,10 +31,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -48,8 +46,8 @@ class Parallel_curves
 {
 public:
   explicit Parallel_curves(const Triangulated_surface& surface)
-      : m_surface(surface), m_front(surface.number_of_vertices()), m_side(surface.number_of_vertices()),
-        m_is_listed(surface.number_of_faces()), m_levels(surface.number_of_faces(), 0)
+      : m_surface(surface), m_front(surface.number_of_vertices()), m_height(surface.number_of_vertices()),
+        m_is_listed(surface.number_of_faces()), m_is_passed(surface.number_of_faces())
   {
   }
 
@@ -59,12 +57,10 @@ public:
   {
     const double step = curve.length / boost::math::double_constants::pi / levels_per_diameter;
     Climb lower;
-    Climb higher;
     for (const int levels : reaches) {
       measure_distances(curve, step * levels);
-      const std::array<std::vector<double>, 2> pieces = longest_pieces(step, levels);
-      lower = climb(pieces[0], curve.length);
-      higher = climb(pieces[1], curve.length);
+      lower = climb(curve.length, step, levels);
+      Climb higher = climb(curve.length, -step, levels);
       if (higher.length < lower.length) {
         std::swap(lower, higher);
       }
@@ -96,18 +92,22 @@ private:
     bool has_ended = false; // within reach
   };
 
-  static Climb climb(const std::vector<double>& pieces, double length)
+  /// \param step from one parallel curve to the next, positive on the left
+  Climb climb(double length, double step, int levels)
   {
-    const auto end =
-        std::find_if(pieces.begin(), pieces.end(), [&](double piece) { return piece < (1 - tolerance) * length; });
-    return {end - pieces.begin() < min_levels ? 0. : *std::max_element(pieces.begin(), end), end != pieces.end()};
+    Climb result;
+    for (int level = 1; level <= levels && !result.has_ended; ++level) {
+      const double piece = longest_piece(level * step);
+      result.has_ended = piece < (1 - tolerance) * length;
+      result.length = !result.has_ended ? std::max(result.length, piece) : level > min_levels ? result.length : 0;
+    }
+    return result;
   }
 
   /// Distances from `curve` of all vertices up to `reach`, and of those beyond next to them.
   void measure_distances(const Surface_path& curve, double reach)
   {
     m_front.clear();
-    m_faces.clear();
     m_reached.clear();
     push_off_vertices(m_surface, curve, m_crossings);
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
@@ -130,11 +130,15 @@ private:
         }
       }
     });
+    m_faces.clear();
     m_is_listed.clear();
+    const auto is_reached = [&](Index h) { return m_front.is_reached(m_surface.origin(h)); };
     for (const Index vertex : m_reached) {
       for (const Index h : m_surface.outgoing(vertex)) {
         const Index face = Triangulated_surface::face(h);
-        if (m_is_listed.mark(face) && !m_surface.is_hole_filling(face)) {
+        const std::array<Index, 3> sides = Triangulated_surface::face_halfedges(face);
+        if (!m_surface.is_hole_filling(face) && std::all_of(sides.begin(), sides.end(), is_reached) &&
+            m_is_listed.mark(face)) {
           m_faces.push_back(face);
         }
       }
@@ -143,8 +147,8 @@ private:
 
   void reach_vertex(Index vertex, double distance, bool is_left)
   {
-    if ((!m_front.is_reached(vertex) || m_side[vertex] == is_left) && m_front.reach(vertex, float(distance))) {
-      m_side[vertex] = is_left;
+    if ((!m_front.is_reached(vertex) || this->is_left(vertex) == is_left) && m_front.reach(vertex, float(distance))) {
+      m_height[vertex] = is_left ? float(distance) : -float(distance);
     }
   }
 
@@ -157,10 +161,10 @@ private:
       const Index to = others[i];
       const Index beside = others[1 - i];
       double reached = distance + (m_surface.point(to) - m_surface.point(vertex)).norm();
-      if (m_front.is_reached(beside) && m_side[beside] == m_side[vertex]) {
+      if (m_front.is_reached(beside) && is_left(beside) == is_left(vertex)) {
         reached = std::min(reached, straight_distance(vertex, beside, to));
       }
-      reach_vertex(to, std::max(reached, double(distance)), m_side[vertex] != 0);
+      reach_vertex(to, std::max(reached, double(distance)), is_left(vertex));
     }
   }
 
@@ -183,78 +187,43 @@ private:
                                        : std::numeric_limits<double>::max();
   }
 
-  /// In steps, positive on the left.
-  double signed_distance(Index vertex, double step) const
-  {
-    return (m_side[vertex] != 0 ? double(m_front.distance(vertex)) : -double(m_front.distance(vertex))) / step;
-  }
+  bool is_left(Index vertex) const { return !std::signbit(m_height[vertex]); }
 
-  /// The lengths of the longest connected pieces of the parallel curves on the right and on the left, at the first
-  /// `levels` multiples of `step`. Linear in the number of faces and of the pieces of curves in them.
-  std::array<std::vector<double>, 2> longest_pieces(double step, int levels)
+  /// The length of the longest connected piece of the curve at the signed distance `level`.
+  double longest_piece(double level)
   {
-    std::array<std::vector<double>, 2> longest;
-    longest.fill(std::vector<double>(std::size_t(levels), 0));
-    mark_levels(step, levels);
+    double longest = 0;
+    m_is_passed.clear();
     for (const Index face : m_faces) {
-      for (int bit = 0; m_levels[face] != 0; ++bit) {
-        if ((m_levels[face] >> bit & 1U) != 0) {
-          const bool is_left = bit >= number_of_levels;
-          double& length = longest[is_left ? 1 : 0][std::size_t(is_left ? bit - number_of_levels : bit)];
-          length = std::max(length, take_piece(face, bit, step));
-        }
-      }
+      longest = std::max(longest, piece_length(face, level));
     }
     return longest;
   }
 
-  /// Which multiple of the step is at a place of the bits of `m_levels`: those on the right, then those on the left.
-  static double level_at(int bit) { return bit < number_of_levels ? -bit - 1. : bit - number_of_levels + 1.; }
-  static int bit_of(int level) { return level < 0 ? -level - 1 : level + number_of_levels - 1; }
-
-  /// Sets, for each face around the curve, the bits of the levels that cross it.
-  void mark_levels(double step, int levels)
+  /// The length of the piece of that curve that passes through `face`; 0 if none does, or it was passed before.
+  double piece_length(Index face, double level)
   {
-    for (const Index face : m_faces) {
-      double lowest = number_of_levels + 1;
-      double highest = -lowest;
-      bool is_reached = true;
-      for (const Index h : Triangulated_surface::face_halfedges(face)) {
-        const Index vertex = m_surface.origin(h);
-        is_reached = is_reached && m_front.is_reached(vertex);
-        const double distance = is_reached ? signed_distance(vertex, step) : 0.;
-        lowest = std::min(lowest, distance);
-        highest = std::max(highest, distance);
-      }
-      // Those above the lowest corner, up to the highest.
-      const int first = int(std::floor(std::clamp(lowest, -levels - 1., double(levels)))) + 1;
-      const int last = int(std::floor(std::clamp(highest, -levels - 1., double(levels))));
-      for (int level = first; is_reached && level <= last; ++level) {
-        if (level != 0) {
-          m_levels[face] |= std::uint64_t(1) << bit_of(level);
-        }
-      }
+    if (m_is_passed.is_marked(face)) {
+      return 0;
     }
-  }
-
-  /// Follows the level of `bit` from `face` on in both directions, clears the bit on the way and adds up lengths.
-  double take_piece(Index face, int bit, double step)
-  {
-    const double level = level_at(bit);
-    const auto is_below = [&](Index vertex) { return signed_distance(vertex, step) < level; };
-    const auto is_crossed = [&](Index h) { return is_below(m_surface.origin(h)) != is_below(m_surface.target(h)); };
+    const auto is_crossed = [&](Index h) {
+      return (m_height[m_surface.origin(h)] < level) != (m_height[m_surface.target(h)] < level);
+    };
     const auto point_on = [&](Index h) -> Vector3 {
-      const double from = signed_distance(m_surface.origin(h), step);
-      const double to = signed_distance(m_surface.target(h), step);
+      const double from = m_height[m_surface.origin(h)];
+      const double to = m_height[m_surface.target(h)];
       const Vector3& point = m_surface.point(m_surface.origin(h));
       return point + (level - from) / (to - from) * (m_surface.point(m_surface.target(h)) - point);
     };
     const std::array<Index, 3> sides = Triangulated_surface::face_halfedges(face);
-    const Index start = *std::find_if(sides.begin(), sides.end(), is_crossed);
+    const auto* const start = std::find_if(sides.begin(), sides.end(), is_crossed);
+    if (start == sides.end()) {
+      return 0;
+    }
     double length = 0;
-    for (Index entry : {start, m_surface.twin(start)}) {
-      while ((m_levels[Triangulated_surface::face(entry)] >> bit & 1U) != 0) {
-        m_levels[Triangulated_surface::face(entry)] &= ~(std::uint64_t(1) << bit);
+    for (Index entry : {*start, m_surface.twin(*start)}) { // in both directions
+      while (m_is_listed.is_marked(Triangulated_surface::face(entry)) &&
+             m_is_passed.mark(Triangulated_surface::face(entry))) {
         const Index next = Triangulated_surface::next(entry);
         const Index exit = is_crossed(next) ? next : Triangulated_surface::next(next);
         length += (point_on(exit) - point_on(entry)).norm();
@@ -266,13 +235,12 @@ private:
 
   const Triangulated_surface& m_surface;
   Dijkstra_search m_front;
-  std::vector<char> m_side; // of vertices that are reached: whether on the left of the curve
+  std::vector<float> m_height; // of vertices that are reached: the distance from the curve, positive on the left
   std::vector<Edge_crossing> m_crossings;
   std::vector<Index> m_reached;
   std::vector<Index> m_faces;
   Epoch_marks m_is_listed; // of faces: whether among these
-  std::vector<std::uint64_t>
-      m_levels; // of faces: a bit for each parallel curve that crosses it and is not yet measured
+  Epoch_marks m_is_passed; // of these: whether the piece of the curve in it has been measured
 };
 
 /// Finds loops of all kinds on one surface.
@@ -296,10 +264,9 @@ public:
     if (m_classes.size() > 0) {
       add_basis_loops();
     }
-    sort_candidates();
-    if (add_untwisted_loops()) {
-      sort_candidates();
-    }
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.is_over_hole, a.measures.length) < std::tie(b.is_over_hole, b.measures.length);
+    });
     std::vector<Surface_loop<Vector3>> result;
     for (const Loop_kind kind : {Loop_kind::handle, Loop_kind::tunnel}) {
       for (const Candidate* candidate : independent_loops(kind)) {
@@ -325,7 +292,6 @@ private:
 
   struct Candidate
   {
-    std::vector<Index> halfedges; // before it was shortened
     Surface_path path;
     Polygon_measures measures;
     Bits loop_class;
@@ -381,7 +347,7 @@ private:
   }
 
   /// Shortens the loop along `halfedges` and adds it. \return whether it runs along different edges of the surface
-  bool add_candidate(std::vector<Index> halfedges)
+  bool add_candidate(const std::vector<Index>& halfedges)
   {
     if (halfedges.size() < 3 || std::find(halfedges.begin(), halfedges.end(), no_index) != halfedges.end()) {
       return false;
@@ -406,7 +372,6 @@ private:
         candidate.path.points.push_back({h, 0.});
       }
     }
-    candidate.halfedges = std::move(halfedges);
     if (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole)) {
       candidate.measures = measure_polygon(points(candidate));
       m_candidates.push_back(std::move(candidate));
@@ -437,13 +402,6 @@ private:
         }
       }
     }
-  }
-
-  void sort_candidates()
-  {
-    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return std::tie(a.is_over_hole, a.measures.length) < std::tie(b.is_over_hole, b.measures.length);
-    });
   }
 
   std::vector<Vector3> points(const Candidate& candidate) const
@@ -491,87 +449,6 @@ private:
       }
     }
     return result;
-  }
-
-  /// Where tunnel loops are missing: makes them of loops that go along a handle and also around it, by going around it
-  /// once more. \return whether there are new candidates
-  bool add_untwisted_loops()
-  {
-    const std::size_t old_number = m_candidates.size();
-    const std::vector<const Candidate*> handles = independent_loops(Loop_kind::handle);
-    Independent_bits tunnels;
-    for (const Candidate* tunnel : independent_loops(Loop_kind::tunnel)) {
-      tunnels.insert(tunnel->loop_class);
-    }
-    if (!m_is_consistent || 2 * tunnels.size() == m_classes.size()) {
-      return false;
-    }
-    std::vector<std::vector<Index>> untwisted;
-    for (const Candidate& candidate : m_candidates) {
-      const Bits tunnel_part = m_classes.tunnel_part(candidate.loop_class);
-      if (2 * tunnels.size() < m_classes.size() && tunnel_part != candidate.loop_class) {
-        std::optional<std::vector<Index>> loop = add_handles(candidate, tunnel_part, handles);
-        if (loop && tunnels.insert(tunnel_part)) {
-          untwisted.push_back(std::move(*loop));
-        }
-      }
-    }
-    for (std::vector<Index>& loop : untwisted) {
-      add_candidate(std::move(loop));
-    }
-    return m_candidates.size() > old_number;
-  }
-
-  /// The loop of `candidate` with `handles` inserted so that its class is `wanted`, if they can be.
-  std::optional<std::vector<Index>> add_handles(const Candidate& candidate, const Bits& wanted,
-                                                const std::vector<const Candidate*>& handles) const
-  {
-    std::vector<Index> loop = candidate.halfedges;
-    Bits rest = candidate.loop_class ^ wanted;
-    for (const Candidate* handle : handles) {
-      // Only sums of few handles come up: a handle must bring the class nearer.
-      if ((rest ^ handle->loop_class).count() < rest.count()) {
-        if (!insert_loop(handle->halfedges, loop)) {
-          return std::nullopt;
-        }
-        rest ^= handle->loop_class;
-      }
-    }
-    return rest.none() ? std::optional(loop) : std::nullopt;
-  }
-
-  /// Inserts `inserted` into `loop` at a vertex that both have; their common part then goes straight back.
-  bool insert_loop(std::vector<Index> inserted, std::vector<Index>& loop) const
-  {
-    const auto begins_at = [&](Index vertex) {
-      return [this, vertex](Index h) { return m_surface.origin(h) == vertex; };
-    };
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      auto place = std::find_if(inserted.begin(), inserted.end(), begins_at(m_surface.origin(loop[i])));
-      const Index last = loop[(i + loop.size() - 1) % loop.size()];
-      // Behind a common run, where there is one.
-      if (place == inserted.end() ||
-          std::find_if(inserted.begin(), inserted.end(), begins_at(m_surface.target(loop[i]))) != inserted.end()) {
-        continue;
-      }
-      std::rotate(inserted.begin(), place, inserted.end());
-      if (inserted.back() == last) {
-        std::reverse(inserted.begin(), inserted.end());
-        for (Index& h : inserted) {
-          h = m_surface.twin(h);
-        }
-      }
-      std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(i), loop.end());
-      for (const Index h : inserted) {
-        if (loop.back() == m_surface.twin(h)) {
-          loop.pop_back();
-        } else {
-          loop.push_back(h);
-        }
-      }
-      return true;
-    }
-    return false;
   }
   /// @}
 

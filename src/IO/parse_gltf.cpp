@@ -9,6 +9,7 @@
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector3.h>
 
+#include <boost/unordered_map.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,8 +48,16 @@ struct Affine_map
   }
 };
 
-/// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins at rest. The data are in the binary
-/// chunk, in the JSON in Base64, or in files next to it. The values in the JSON are checked before they are used.
+/// The map of a matrix of 4 x 4 numbers, column by column.
+Affine_map map_of_matrix(const std::array<double, 16>& m)
+{
+  return {{Vector3(m[0], m[1], m[2]), Vector3(m[4], m[5], m[6]), Vector3(m[8], m[9], m[10])},
+          Vector3(m[12], m[13], m[14])};
+}
+
+/// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins as their joints stand. The data are
+/// in the binary chunk, in the JSON in Base64, or in files next to it. The values in the JSON are checked before they
+/// are used.
 class Gltf_parser
 {
 public:
@@ -84,6 +94,12 @@ private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   /// Instances could multiply a small file without end.
   static constexpr std::size_t max_number_of_elements = std::size_t(1) << 26U;
+
+  struct Skin
+  {
+    std::vector<Affine_map> joints;                                ///< where they move vertices
+    boost::unordered_map<std::array<double, 3>, Vector3> places{}; ///< of vertices, by where they are at rest
+  };
 
   [[noreturn]] void fail(const std::string& fault) const
   {
@@ -218,8 +234,10 @@ private:
 
   /// The numbers of an accessor.
   /// \param number_of_components that each of its elements must have, or else are refused with `fault`
-  Number_view accessor(std::size_t i, std::size_t number_of_components, char kind, const char* fault) const
+  /// \param kinds of numbers that they may be
+  Number_view accessor(std::size_t i, std::size_t number_of_components, std::string_view kinds, const char* fault) const
   {
+    static const std::map<std::string, std::size_t> sizes{{"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
     const Json& its = element("accessors", i);
     const auto type = its.find("type");
     if (its.find("sparse") != its.end() || its.find("bufferView") == its.end()) {
@@ -228,7 +246,8 @@ private:
     Number_view result;
     result.type = component_type(its);
     result.count = number(its, "count", 0);
-    const std::size_t size = (type != its.end() && *type == "VEC3" ? 3 : 1) * result.type.size;
+    const auto its_size = sizes.find(type != its.end() && type->is_string() ? type->get<std::string>() : "SCALAR");
+    const std::size_t size = (its_size != sizes.end() ? its_size->second : 1) * result.type.size;
     const Json& view = element("bufferViews", number(its, "bufferView", 0));
     const std::size_t buffer = number(view, "buffer", 0);
     const std::size_t offset_in_view = number(its, "byteOffset", 0);
@@ -243,20 +262,29 @@ private:
     if (result.count > 0 && (bytes.size() < size || result.stride == 0 || result.count - 1 > room / result.stride)) {
       fail("an accessor has more elements than there is room for");
     }
-    if (result.type.kind != kind || size != number_of_components * result.type.size) {
+    if (kinds.find(result.type.kind) == std::string_view::npos || size != number_of_components * result.type.size) {
       fail(fault);
     }
     result.bytes = bytes.data();
     return result;
   }
 
+  /// The elements of an accessor, each an array of numbers.
+  template <class Element>
+  std::vector<Element> elements(std::size_t i, std::string_view kinds, const char* fault) const
+  {
+    constexpr std::size_t size = sizeof(Element) / sizeof(double);
+    Number_view numbers = accessor(i, size, kinds, fault);
+    std::vector<Element> result(numbers.count);
+    for (std::size_t k = 0; k < size; ++k, numbers.bytes += numbers.type.size) {
+      numbers.for_each([&result, k](std::size_t e, double number) { result[e][k] = number; });
+    }
+    return result;
+  }
+
   std::vector<Vector3> points(std::size_t i) const
   {
-    Number_view coordinates = accessor(i, 3, 'f', "positions are not vectors of floating-point numbers");
-    std::vector<Vector3> result(coordinates.count);
-    for (int axis = 0; axis < 3; ++axis, coordinates.bytes += coordinates.type.size) {
-      coordinates.for_each([&result, axis](std::size_t v, double coordinate) { result[v][axis] = coordinate; });
-    }
+    std::vector<Vector3> result = elements<Vector3>(i, "f", "positions are not vectors of floating-point numbers");
     for (const Vector3& point : result) {
       if (!point.allFinite()) {
         fail("a position is not finite");
@@ -274,7 +302,7 @@ private:
       std::iota(result.begin(), result.end(), Index(0));
       return result;
     }
-    const Number_view numbers = accessor(i, 1, 'u', "indices are not integers from 0 on");
+    const Number_view numbers = accessor(i, 1, "u", "indices are not integers from 0 on");
     result.resize(numbers.count);
     numbers.for_each([&](std::size_t k, double index) {
       if (index >= double(number_of_points)) {
@@ -285,7 +313,53 @@ private:
     return result;
   }
 
-  void add_primitive(const Json& primitive, const Affine_map& map)
+  /// Finds where the joints of all skins move vertices; those that are not in the scene count as if they were at rest.
+  void place_joints()
+  {
+    using Matrix = std::array<double, 16>;
+    for (const Json& skin : list("skins")) {
+      std::vector<Affine_map>& maps = m_skins.emplace_back().joints;
+      const std::size_t i = number(skin, "inverseBindMatrices", none);
+      const auto matrices =
+          i == none ? std::vector<Matrix>() : elements<Matrix>(i, "f", "the matrices of a skin are not made of floats");
+      for (const Json& joint : list(skin, "joints")) {
+        const std::size_t node = to_index(joint);
+        const Affine_map place = node < m_place.size() ? m_place[node].value_or(Affine_map()) : Affine_map();
+        maps.push_back(maps.size() < matrices.size() ? place * map_of_matrix(matrices[maps.size()]) : place);
+      }
+    }
+  }
+
+  /// Moves points by the joints of a skin: to the mean of the places where these move them, by their weights. Points at
+  /// one place stay together, as along seams.
+  void pose(const Json& attributes, std::size_t skin, std::vector<Vector3>& points)
+  {
+    constexpr const char* fault = "a skin, its joints or its weights are not complete";
+    using Four = std::array<double, 4>;
+    const auto joints = elements<Four>(number(attributes, "JOINTS_0", none), "u", fault);
+    const auto weights = elements<Four>(number(attributes, "WEIGHTS_0", none), "fu", fault);
+    if (skin >= m_skins.size() || joints.size() < points.size() || weights.size() < points.size()) {
+      fail(fault);
+    }
+    const std::vector<Affine_map>& maps = m_skins[skin].joints;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      Vector3& point = points[v];
+      const auto [place, is_new] = m_skins[skin].places.try_emplace({point.x(), point.y(), point.z()}, point);
+      Vector3 moment = Vector3::Zero();
+      double sum = 0;
+      for (std::size_t k = 0; k < 4 && is_new; ++k) {
+        if (joints[v][k] < double(maps.size())) {
+          moment += weights[v][k] * maps[std::size_t(joints[v][k])](point);
+          sum += weights[v][k];
+        }
+      }
+      place->second = sum > 0 ? moment / sum : place->second;
+      point = place->second;
+    }
+  }
+
+  /// \param skin of the node, or none
+  void add_primitive(const Json& primitive, const Affine_map& map, std::size_t skin)
   {
     constexpr std::size_t triangle_list = 4;
     constexpr std::size_t triangle_strip = 5;
@@ -299,13 +373,16 @@ private:
     if (position == none) {
       return;
     }
-    const std::vector<Vector3> its_points = points(position);
+    std::vector<Vector3> its_points = points(position);
     const std::vector<Index> corners = indices(primitive, its_points.size());
     const std::size_t step = mode == triangle_list ? 3 : 1;
     const std::size_t number_of_triangles = corners.size() < 3 ? 0 : (corners.size() - 3) / step + 1;
     if (m_shape.points.size() + its_points.size() + m_shape.corners.size() / 3 + number_of_triangles >
         max_number_of_elements) {
       fail("its meshes have more than 2^26 vertices and triangles in all");
+    }
+    if (skin != none && attributes->contains("JOINTS_0")) {
+      pose(*attributes, skin, its_points);
     }
     const Index first = Index(m_shape.points.size());
     std::transform(its_points.begin(), its_points.end(), std::back_inserter(m_shape.points), map);
@@ -337,9 +414,8 @@ private:
   Affine_map map_of(const Json& node) const
   {
     std::array<double, 16> m{};
-    if (numbers(node, "matrix", m)) { // column by column
-      return {{Vector3(m[0], m[1], m[2]), Vector3(m[4], m[5], m[6]), Vector3(m[8], m[9], m[10])},
-              Vector3(m[12], m[13], m[14])};
+    if (numbers(node, "matrix", m)) {
+      return map_of_matrix(m);
     }
     std::array<double, 3> t{};
     std::array<double, 4> q{0, 0, 0, 1};
@@ -359,7 +435,7 @@ private:
     return result;
   }
 
-  /// Places the meshes of all nodes of the scene; a hierarchy of nodes is a forest, so that each comes once.
+  /// Places all nodes of the scene, then their meshes; a hierarchy of nodes is a forest, so that each comes once.
   void add_scene()
   {
     std::vector<std::pair<std::size_t, Affine_map>> open;
@@ -367,24 +443,30 @@ private:
     for (const Json& node : scene < list("scenes").size() ? list(list("scenes")[scene], "nodes") : Json::array()) {
       open.emplace_back(to_index(node), Affine_map());
     }
-    std::vector<char> was_seen(list("nodes").size(), 0);
+    m_place.resize(list("nodes").size());
+    std::vector<std::size_t> nodes;
     while (!open.empty()) {
       const auto [i, above] = open.back();
       open.pop_back();
       const Json& node = element("nodes", i);
-      if (std::exchange(was_seen[i], char(1)) != 0) {
+      if (m_place[i]) {
         fail("a node has two parents");
       }
-      // A skin moves its vertices by its joints alone, at rest to where they are.
-      const bool has_skin = node.find("skin") != node.end();
-      const Affine_map map = above * map_of(node);
-      if (number(node, "mesh", none) != none) {
-        for (const Json& primitive : list(element("meshes", number(node, "mesh", none)), "primitives")) {
-          add_primitive(primitive, has_skin ? Affine_map() : map);
-        }
-      }
+      m_place[i] = above * map_of(node);
+      nodes.push_back(i);
       for (const Json& child : list(node, "children")) {
-        open.emplace_back(to_index(child), map);
+        open.emplace_back(to_index(child), *m_place[i]);
+      }
+    }
+    place_joints();
+    for (const std::size_t i : nodes) {
+      const std::size_t mesh = number(element("nodes", i), "mesh", none);
+      const std::size_t skin = number(element("nodes", i), "skin", none);
+      if (mesh != none) {
+        for (const Json& primitive : list(element("meshes", mesh), "primitives")) {
+          // A skin moves its vertices by its joints alone.
+          add_primitive(primitive, skin != none ? Affine_map() : *m_place[i], skin);
+        }
       }
     }
   }
@@ -403,6 +485,8 @@ private:
   std::string_view m_binary_chunk;
   std::map<std::string_view, std::string> m_content_of_uri; ///< by the URIs in `m_json`
   std::vector<std::string_view> m_buffers;                  ///< in the binary chunk or in `m_content_of_uri`
+  std::vector<std::optional<Affine_map>> m_place;           ///< of the nodes of the scene
+  std::vector<Skin> m_skins;
   Shape_file m_shape;
 };
 

@@ -5,9 +5,9 @@
 
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
+#include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/Volume/Voxel_surface.h>
-#include <CSCD/internal/Box_tree.h>
 
 #include <CGAL/assertions.h>
 
@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <locale>
 #include <map>
@@ -53,45 +54,6 @@ void write_nrrd_labels(std::ostream& out, std::vector<std::uint32_t> labels)
   out.write(reinterpret_cast<const char*>(labels.data()), std::streamsize(labels.size() * sizeof(std::uint32_t)));
 }
 
-/// Finds the vertices of a surface next to points.
-class Nearest_vertex_search
-{
-public:
-  /// \param points of the surface, which outlive the search
-  explicit Nearest_vertex_search(const std::vector<Vector3>& points) : m_points(points)
-  {
-    std::vector<internal::Bounding_box> boxes(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      boxes[i].extend(points[i]);
-    }
-    m_tree = internal::Box_tree(boxes);
-  }
-
-  /// The vertex nearest to `point`; fast if it is near the one of the call before.
-  Index nearest(const Vector3& point)
-  {
-    double least = (m_points[m_last] - point).squaredNorm();
-    const auto bound = [&](const internal::Bounding_box& box) {
-      const double distance = box.squared_distance(point);
-      return distance < least ? distance : std::numeric_limits<double>::infinity();
-    };
-    m_tree.minimize(bound, [&](Index vertex) {
-      const double distance = (m_points[vertex] - point).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        m_last = vertex;
-      }
-      return distance;
-    });
-    return m_last;
-  }
-
-private:
-  const std::vector<Vector3>& m_points;
-  internal::Box_tree m_tree;
-  Index m_last = 0;
-};
-
 } // namespace
 
 void write_nrrd(std::ostream& out, const Volume& volume)
@@ -106,11 +68,10 @@ void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vect
 {
   CGAL_precondition(surfaces.size() == node_of_vertex.size());
   std::map<std::uint32_t, std::size_t> surface_of_label;
-  std::vector<Nearest_vertex_search> searches;
-  searches.reserve(surfaces.size());
+  std::deque<internal::Point_tree> vertices; // of each surface; trees cannot be moved
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     surface_of_label.emplace(surfaces[i].label, i);
-    searches.emplace_back(surfaces[i].triangles.points);
+    vertices.emplace_back(surfaces[i].triangles.points);
   }
   const Volume_grid& grid = reader.grid();
   out << nrrd_header(grid);
@@ -122,7 +83,7 @@ void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vect
       const bool has_node = found != surface_of_label.end();
       const std::size_t y = i / grid.size[0];
       const Vector3 point = grid.point({double(i % grid.size[0]), double(y), double(z)});
-      labels[i] = has_node ? node_of_vertex[found->second][searches[found->second].nearest(point)] : 0;
+      labels[i] = has_node ? node_of_vertex[found->second][vertices[found->second].nearest(point)] : 0;
     }
     write_nrrd_labels(out, labels);
   }

@@ -69,14 +69,9 @@ public:
     return m_visited.size() > m_max_number_of_cells || m_values.size() > max_values_per_cell * m_max_number_of_cells;
   }
 
-  /// The surface, facing outwards; faces that are near each other have near numbers.
+  /// The surface, facing outwards.
   Indexed_triangles release()
   {
-    std::sort(m_cells.begin(), m_cells.end(),
-              [](const Cell& a, const Cell& b) { return interleaved_key(a) < interleaved_key(b); });
-    for (const Cell& cell : m_cells) {
-      triangulate(cell, values_at_corners(cell));
-    }
     m_triangles.first_hole_filling_face = m_triangles.faces.size();
     return std::move(m_triangles);
   }
@@ -130,28 +125,7 @@ private:
     }
   }
 
-  /// The position of `cell` on Morton's curve: the bits of its coordinates in turn.
-  static Key interleaved_key(const Cell& cell)
-  {
-    Key result = 0;
-    for (int bit = 19; bit >= 0; --bit) {
-      for (const std::int32_t coordinate : cell) {
-        result = result << 1 | (Key(coordinate + bias) >> bit & 1);
-      }
-    }
-    return result;
-  }
-
-  std::array<double, 8> values_at_corners(const Cell& cell)
-  {
-    std::array<double, 8> values{};
-    for (int k = 0; k < 8; ++k) {
-      values[std::size_t(k)] = value(corner(cell, k));
-    }
-    return values;
-  }
-
-  /// Collects the cells of the part of the surface that passes through `start`.
+  /// Triangulates the cells of the part of the surface that passes through `start`.
   void track(const Cell& start)
   {
     m_stack.assign(1, start);
@@ -161,8 +135,11 @@ private:
       if (!m_visited.insert(key(cell)).second) {
         continue;
       }
-      m_cells.push_back(cell);
-      const std::array<double, 8> values = values_at_corners(cell);
+      std::array<double, 8> values{};
+      for (int k = 0; k < 8; ++k) {
+        values[std::size_t(k)] = value(corner(cell, k));
+      }
+      triangulate(cell, values);
       for (int side = 0; side < 6; ++side) {
         push_neighbor(cell, side / 2, side % 2, values);
       }
@@ -257,7 +234,6 @@ private:
   boost::unordered_set<Key> m_visited;
   boost::unordered_map<Key, Index> m_vertices; ///< by the lattice point where the edge begins, and its direction
   std::vector<Cell> m_stack;
-  std::vector<Cell> m_cells; ///< that were visited
   Indexed_triangles m_triangles;
 };
 

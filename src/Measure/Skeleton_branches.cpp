@@ -10,6 +10,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -377,69 +378,39 @@ class Node_measurement
 {
 public:
   Node_measurement(const Skeleton& skeleton, const Assigned_surface& surface)
-      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton)),
-        m_faces(skeleton.number_of_nodes()), m_is_near(skeleton.number_of_nodes(), 0),
-        m_last_node(surface.triangles.size(), no_index)
+      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton))
   {
-    for (Index face = 0; face < surface.triangles.size(); ++face) {
-      for (const Index corner : surface.triangles[face]) {
-        if (surface.node_of_vertex[corner] != no_index) {
-          m_faces[surface.node_of_vertex[corner]].push_back(face);
-        }
-      }
+    std::vector<Bounding_box> boxes;
+    boxes.reserve(surface.triangles.size());
+    for (const auto& [a, b, c] : surface.triangles) {
+      boxes.emplace_back(std::vector<Vector3>{surface.points[a], surface.points[b], surface.points[c]});
     }
+    m_faces = Box_tree(boxes);
   }
 
-  Node_measures operator()(Index node)
+  Node_measures operator()(Index node) const
   {
-    find_near_nodes(node);
+    constexpr double max_distance = 3; // in radii: what reaches farther is not a section of the limb alone
     const Vector3& center = m_skeleton.points[node];
+    const double reach = max_distance * m_skeleton.radii[node];
     const Vector3 direction = direction_at(node);
     Face_section section(m_surface, center, direction);
     double least = std::numeric_limits<double>::infinity(); // squared distance
-    for (const Index near : m_near) {
-      for (const Index face : m_faces[near]) {
-        if (std::exchange(m_last_node[face], node) == node) {
-          continue;
-        }
-        least = std::min(least, squared_distance(center, face));
-        if (direction != Vector3::Zero()) {
-          section.add(face);
-        }
-      }
-    }
+    m_faces.visit([&](const Bounding_box& box) { return box.squared_distance(center) <= reach * reach; },
+                  [&](Index face) {
+                    least = std::min(least, squared_distance(center, face));
+                    if (direction != Vector3::Zero()) {
+                      section.add(face);
+                    }
+                  });
     Node_measures result;
-    result.inscribed_radius = std::isfinite(least) ? std::sqrt(least) : result.inscribed_radius;
+    result.inscribed_radius = least <= reach * reach ? std::sqrt(least) : result.inscribed_radius;
     result.section_area = section.area();
     return result;
   }
 
 private:
   using Kernel = CGAL::Simple_cartesian<double>;
-
-  /// The nodes up to two radii away along the skeleton.
-  void find_near_nodes(Index node)
-  {
-    constexpr double max_distance = 2; // in radii: a section stays within one radius of an even limb
-    const double radius = m_skeleton.radii[node];
-    m_near.assign(1, node);
-    std::vector<double> distance{0};
-    m_is_near[node] = 1;
-    for (std::size_t i = 0; i < m_near.size(); ++i) {
-      for (const Index neighbor : m_neighbors[m_near[i]]) {
-        const double its_distance = distance[i] + m_skeleton.length({m_near[i], neighbor});
-        // The next nodes always belong to it, however thin the limb is for the spacing of the nodes.
-        if (m_is_near[neighbor] == 0 && (i == 0 || its_distance <= max_distance * radius)) {
-          m_is_near[neighbor] = 1;
-          m_near.push_back(neighbor);
-          distance.push_back(its_distance);
-        }
-      }
-    }
-    for (const Index near : m_near) {
-      m_is_near[near] = 0;
-    }
-  }
 
   /// Along the skeleton, unit length; zero at junctions and isolated nodes.
   Vector3 direction_at(Index node) const
@@ -464,10 +435,7 @@ private:
   const Skeleton& m_skeleton;
   const Assigned_surface& m_surface;
   std::vector<std::vector<Index>> m_neighbors;
-  std::vector<std::vector<Index>> m_faces; ///< with a vertex of each node
-  std::vector<char> m_is_near;
-  std::vector<Index> m_near;
-  std::vector<Index> m_last_node; ///< the last node that each face was looked at for
+  Box_tree m_faces;
 };
 
 } // namespace
@@ -508,7 +476,7 @@ void measure_surface_parts(const Skeleton& skeleton, const Assigned_surface& sur
 std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const Assigned_surface& surface)
 {
   CGAL_precondition(skeleton.has_radii());
-  Node_measurement measure(skeleton, surface);
+  const Node_measurement measure(skeleton, surface);
   std::vector<Node_measures> result;
   result.reserve(skeleton.number_of_nodes());
   for (Index node = 0; node < skeleton.number_of_nodes(); ++node) {

@@ -9,6 +9,7 @@
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
+#include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Solid_queries.h>
@@ -263,16 +264,13 @@ Measured_surface measured_surface(Measured_input&& input)
     }
   }
   const Normalization normalization = normalize_diagonal(points);
-  std::vector<std::array<Index, 2>> segments;
-  segments.reserve(points.size());
-  for (Index i = 0; i < points.size(); ++i) {
-    segments.push_back({i, i});
-  }
-  const auto tree = std::make_shared<const Segment_tree>(points, std::move(segments));
-  return {normalization,
-          std::move(points),
-          [tree, work = Work_limit()](const Vector3& point) mutable { return tree->nearest(point, work).distance; },
-          {}};
+  const auto tree = std::make_shared<const Point_tree>(points);
+  auto distance = [tree](const Vector3& point) {
+    double square = 0;
+    tree->for_each_nearest(point, 1, [&square](Index, double its_square) { square = its_square; });
+    return std::sqrt(square);
+  };
+  return {normalization, std::move(points), std::move(distance), {}};
 }
 
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
@@ -280,7 +278,7 @@ Measured_surface measured_surface(Measured_input&& input)
 /// the faces of a cell does not matter.
 void measure_reverse(const Triangulated_surface& surface, const Measured_surface& measured, Reconstruction_error& error)
 {
-  constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
+  constexpr std::size_t enough_faces = 50000; // for a mean that is right to one percent
   const std::size_t number_of_faces = surface.number_of_faces();
   const std::size_t number_of_samples = std::min(number_of_faces, enough_faces);
   const double stretch = double(number_of_faces) / double(number_of_samples);

@@ -170,10 +170,8 @@ struct Segment_point
 class Segment_tree
 {
 public:
-  /// O(n log n).
-  /// \param segments by the numbers of their ends in `points`
-  Segment_tree(std::vector<Vector3> points, std::vector<std::array<Index, 2>> segments)
-      : m_points(std::move(points)), m_segments(std::move(segments))
+  /// Over the edges of `skeleton` and its nodes without edges. O(n log n).
+  explicit Segment_tree(const Skeleton& skeleton) : m_points(skeleton.points), m_segments(segment_ends(skeleton))
   {
     std::vector<Bounding_box> boxes(m_segments.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -182,8 +180,6 @@ public:
     }
     m_tree = Box_tree(boxes);
   }
-  /// Over the edges of `skeleton` and its nodes without edges.
-  explicit Segment_tree(const Skeleton& skeleton) : Segment_tree(skeleton.points, segment_ends(skeleton)) {}
 
   /// The ends of the segment with this number.
   const std::array<Index, 2>& ends(Index segment) const { return m_segments[segment]; }

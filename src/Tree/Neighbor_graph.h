@@ -6,10 +6,10 @@
 #ifndef CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 #define CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 
-#include "Tree/insert_points.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/exceptions.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -182,6 +182,7 @@ struct Point_gap
 class Gap_bridging
 {
 public:
+  /// \param points in an order where near numbers are near in space
   Gap_bridging(const std::vector<Vector3>& points, const Neighbor_graph& graph)
       : m_points(points), m_graph(graph), m_pieces(points.size()), m_joined_to(points.size(), no_index),
         m_join_width(points.size(), std::numeric_limits<double>::max())
@@ -282,6 +283,8 @@ private:
   };
 
   /// The edges of the Delaunay triangulation between pieces, among which are the shortest ways between any two parts.
+  /// O(n log n) for points on surfaces or in volumes.
+  /// \throw Input_error if there would be as many tetrahedra as only points along curves have
   std::vector<Point_gap> find_gaps()
   {
     std::vector<Point_gap> result;
@@ -291,8 +294,20 @@ private:
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
     using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base>>;
+    // Points on surfaces have about 7 tetrahedra each, in volumes as many; two straight lines of n points have n^2.
+    constexpr std::size_t max_cells_per_point = 32;
+    constexpr std::size_t max_cells_of_few_points = 1 << 18; // which take no time and no memory
     Triangulation triangulation;
-    insert_points(triangulation, m_points);
+    Triangulation::Vertex_handle last; // near the next one
+    for (Index i = 0; i < m_points.size(); ++i) {
+      last = triangulation.insert({m_points[i].x(), m_points[i].y(), m_points[i].z()}, last);
+      last->info() = i;
+      if (triangulation.tds().number_of_cells() > max_cells_per_point * m_points.size() + max_cells_of_few_points) {
+        throw Input_error("the points lie along curves, not on a surface: their triangulation would fill the memory; "
+                          "join the points by edges and skeletonize these as a graph, or thin the points along the "
+                          "curves");
+      }
+    }
     for (const auto& edge : triangulation.finite_edges()) {
       const auto [a, b] = std::minmax(edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info());
       if (m_pieces.find(a) != m_pieces.find(b)) {

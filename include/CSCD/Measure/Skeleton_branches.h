@@ -102,10 +102,10 @@ struct Skeleton_branches
 /// Measures of the surface around a node, in the unit of the skeleton. Unknown values are not a number.
 struct Node_measures
 {
-  /// Distance to the surface, to the faces with vertices of nodes that are up to two radii away along the skeleton.
+  /// Distance to the surface; not known if it is more than three radii.
   double inscribed_radius = Skeleton_branch::unknown;
   /// Area of the section through the node, perpendicular to the skeleton. It is not known of junctions and isolated
-  /// nodes, which have no direction, nor where the section leaves the faces of those nodes or meets a border.
+  /// nodes, which have no direction, nor where the section reaches beyond three radii or meets a border.
   double section_area = Skeleton_branch::unknown;
 };
 
@@ -198,8 +198,9 @@ Skeleton_branches measure_branches(const Skeleton& skeleton, const TriangleMesh&
   return result;
 }
 
-/// measures the surface of a mesh around each node of its skeleton. O(n k) for n nodes and up to k faces within two
-/// radii of each. \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh and has radii
+/// measures the surface of a mesh around each node of its skeleton. O(m log m + n k) for m faces and n nodes, with up
+/// to k faces within three radii of each.
+/// \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh and has radii
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \return the measures of the nodes in their order
 /// \pre all faces of `mesh` are triangles; all coordinates are finite
