@@ -33,15 +33,6 @@ using CSCD::test::Triple;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Points to_cgal_points(const std::vector<Triple>& triples)
-{
-  Points result;
-  for (const Triple& p : triples) {
-    result.emplace_back(p[0], p[1], p[2]);
-  }
-  return result;
-}
-
 /// Random points on the unit sphere.
 std::vector<Triple> points_on_sphere(std::size_t number, unsigned seed)
 {
@@ -74,7 +65,7 @@ std::vector<double> distances_from(const Points& points, std::size_t source)
 /// The mean difference between distances and angles on the unit sphere, relative to the spacing of the points.
 double mean_error_on_sphere(const std::vector<Triple>& points)
 {
-  const std::vector<double> distances = distances_from(to_cgal_points(points), 0);
+  const std::vector<double> distances = distances_from(CSCD::test::to_points<Point>(points), 0);
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     sum += std::fabs(distances[i] - std::acos(std::clamp(CSCD::test::dot(points[0], points[i]), -1., 1.)));
@@ -97,7 +88,7 @@ TEST(estimate_geodesic_distances_on_points, is_infinite_elsewhere_and_zero_at_du
   const std::size_t number = triples.size() / 2; // of each ring
   // Outliers: a pair, and one so far away that the shape is a point compared with that.
   triples.insert(triples.end(), {{0, 0, 30}, {0, 0, 30.1}, {1e6, 0, 0}, triples[3]});
-  const Points points = to_cgal_points(triples);
+  const Points points = CSCD::test::to_points<Point>(triples);
   const std::vector<double> distances = distances_from(points, 3);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_TRUE(i < number ? std::isfinite(distances[i]) : distances[i] == (points[i] == points[3] ? 0 : infinity));
@@ -108,7 +99,7 @@ TEST(estimate_geodesic_distances_on_points, is_infinite_elsewhere_and_zero_at_du
 
 TEST(Point_set_distance_estimator, estimates_from_each_of_many_sets_as_from_one)
 {
-  const Points points = to_cgal_points(CSCD::test::torus(3, 1, 16).points);
+  const Points points = CSCD::test::to_points<Point>(CSCD::test::torus(3, 1, 16).points);
   const Estimator estimator(points);
   std::vector<std::vector<std::size_t>> sets;
   for (std::size_t i = 0; i < 11; ++i) {
@@ -133,7 +124,7 @@ TEST(Point_set_distance_estimator, estimates_from_each_of_many_sets_as_from_one)
 TEST(Point_set_distance_estimator, takes_point_sets_with_and_without_normals)
 {
   const std::vector<Triple> triples = points_on_sphere(500, 1);
-  const Points points = to_cgal_points(triples);
+  const Points points = CSCD::test::to_points<Point>(triples);
   CGAL::Point_set_3<Point> set;
   for (const Point& point : points) {
     set.insert(point);

@@ -28,19 +28,14 @@ using CSCD::Point_cloud;
 using CSCD::Vector3;
 using CSCD::internal::consolidate_points;
 using CSCD::internal::Consolidated_cloud;
-using CSCD::test::Triple;
 
 constexpr double torus_radius = 3;
 constexpr double tube_radius = 1;
 
 std::vector<Vector3> torus_points(std::size_t number, double noise)
 {
-  std::vector<Vector3> result;
   const auto torus = CSCD::test::torus(torus_radius, tube_radius, 64);
-  for (const Triple& p : CSCD::test::shaken(CSCD::test::sampled(torus, number, 1), noise, 2)) {
-    result.emplace_back(p[0], p[1], p[2]);
-  }
-  return result;
+  return CSCD::test::to_points<Vector3>(CSCD::test::shaken(CSCD::test::sampled(torus, number, 1), noise, 2));
 }
 
 double distance_from_torus(const Vector3& p)
@@ -96,11 +91,8 @@ TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_whi
 TEST(consolidate_points, keeps_some_twenty_thousand_points_of_a_long_chain_at_most)
 {
   // Its rings are so thin, compared with the chain, that they stay bent between points.
-  std::vector<Vector3> points;
-  for (const Triple& p : CSCD::test::sampled(CSCD::test::chain_of_rings(100, 12), 200000, 1)) {
-    points.emplace_back(p[0], p[1], p[2]);
-  }
-  EXPECT_GT(40000u, consolidated(std::move(points)).cloud.points.size());
+  const auto points = CSCD::test::sampled(CSCD::test::chain_of_rings(100, 12), 200000, 1);
+  EXPECT_GT(40000u, consolidated(CSCD::test::to_points<Vector3>(points)).cloud.points.size());
 }
 
 TEST(consolidate_points, averages_noise_away)

@@ -9,6 +9,7 @@
 #include "Shape.h"
 #include "Skeleton_comparison.h"
 #include "convert_shape.h"
+#include "sampling.h"
 #include <CSCD/Skeleton_graph.h>
 
 #include <gtest/gtest.h>
@@ -19,18 +20,6 @@
 #include <vector>
 
 namespace CSCD::test {
-
-/// `triples` as points of another type.
-template <class Point>
-std::vector<Point> to_points(const std::vector<Triple>& triples)
-{
-  std::vector<Point> result;
-  result.reserve(triples.size());
-  for (const Triple& p : triples) {
-    result.emplace_back(p[0], p[1], p[2]);
-  }
-  return result;
-}
 
 template <class Skeleton>
 Plain_skeleton plain(const Skeleton& skeleton)

@@ -88,6 +88,18 @@ inline std::vector<Triple> without_ball(std::vector<Triple> points, const Triple
   return points;
 }
 
+/// `triples` as points of another type.
+template <class Point>
+std::vector<Point> to_points(const std::vector<Triple>& triples)
+{
+  std::vector<Point> result;
+  result.reserve(triples.size());
+  for (const Triple& p : triples) {
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
 } // namespace CSCD::test
 
 #endif // CSCD_TEST_SUPPORT_SAMPLING_H
