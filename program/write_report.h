@@ -22,7 +22,6 @@
 #include <boost/preprocessor/variadic/to_seq.hpp>
 #include <nlohmann/json_fwd.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -23,7 +23,7 @@ from tables import NOTHING, ROOT, count, markdown
 QUOTED = json.loads((pathlib.Path(__file__).parent / "quoted_results.json").read_text())
 
 
-# Google Benchmark: what is timed.
+# Google Benchmark: experiments that are timed.
 
 def benchmark(lab, program, options, *arguments):
     """The medians of the benchmarks of a program."""
@@ -64,7 +64,7 @@ def geodesics(lab, options):
                                "CGAL", "CGAL : of eight"], times)}
 
 
-# Skeletons by the program cscd: what is measured once.
+# Skeletons by the program cscd: experiments that are measured once.
 
 def is_right(run):
     """Whether a skeleton has the components and cycles of the surface."""
@@ -254,7 +254,7 @@ def points(lab, options):
 
 
 def graphs(lab, options):
-    """Skeletons of graphs: of edges of meshes beside quoted ones, and of points. Data: folders of closed meshes."""
+    """Skeletons of graphs: of edges of meshes next to quoted ones, and of points. Data: folders of closed meshes."""
     edges, clouds = [], []
     for mesh in models(options)[:2 if options.quick else None]:
         report, _ = lab.skeletonize(mesh)

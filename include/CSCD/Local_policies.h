@@ -16,7 +16,6 @@
 #include <CSCD/internal/config.h>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CSCD {

@@ -18,7 +18,6 @@
 #include <boost/range/iterator_range_core.hpp>
 #include <boost/unordered_map.hpp>
 
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>

@@ -32,7 +32,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -10,7 +10,6 @@
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>

@@ -29,7 +29,6 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -255,7 +254,7 @@ Measured_surface measured_surface(Measured_input&& input)
   }
   std::vector<Vector3> points = std::move(input.points);
   if (points.empty()) {
-    throw Input_error("there are no points to measure the skeleton against: check how the input was read");
+    throw Input_error("the input has no points to measure the skeleton against: check how it was read");
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite()) {

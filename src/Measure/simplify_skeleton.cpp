@@ -14,7 +14,6 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>

@@ -21,7 +21,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -18,7 +18,6 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>

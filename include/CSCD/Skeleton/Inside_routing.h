@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {

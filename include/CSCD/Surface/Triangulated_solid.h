@@ -21,7 +21,6 @@
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <memory>
