@@ -72,15 +72,12 @@ class Model:
 
     def matrix(self, node):
         """From the coordinates of a node to those of the scene."""
-        its = self.json["nodes"][node]
-        own = np.eye(4)
-        if "matrix" in its:
-            own = np.array(its["matrix"], float).reshape(4, 4).T
-        else:
-            *axis, cosine = its.get("rotation", (0, 0, 0, 1))
-            turn = np.cross(axis, np.eye(3)).T
-            own[:3, :3] = (np.eye(3) + 2 * cosine * turn + 2 * turn @ turn) * its.get("scale", (1, 1, 1))
-            own[:3, 3] = its.get("translation", (0, 0, 0))
+        its, own = self.json["nodes"][node], np.eye(4)
+        *axis, cosine = its.get("rotation", (0, 0, 0, 1))
+        turn = np.cross(axis, np.eye(3)).T
+        own[:3, :3] = (np.eye(3) + 2 * cosine * turn + 2 * turn @ turn) * its.get("scale", (1, 1, 1))
+        own[:3, 3] = its.get("translation", (0, 0, 0))
+        own = np.array(its["matrix"], float).reshape(4, 4).T if "matrix" in its else own
         return self.matrix(self.parents[node]) @ own if node in self.parents else own
 
     def joints(self, least_weight):
@@ -91,11 +88,8 @@ class Model:
             numbers = self.array(attributes["JOINTS_0"]).astype(int).ravel()
             for number, weight in zip(numbers, self.array(attributes["WEIGHTS_0"]).ravel()):
                 weights[joints[number]] = max(weights[joints[number]], weight)
-        places = {}
-        for skin in self.json["skins"]:
-            for joint in skin["joints"]:
-                if weights[joint] >= least_weight:
-                    places[joint] = self.matrix(joint)[:3, 3]
+        places = {joint: self.matrix(joint)[:3, 3] for skin in self.json["skins"] for joint in skin["joints"]
+                  if weights[joint] >= least_weight}
         bones = []
         for joint in places:
             parent = self.parents.get(joint)
