@@ -269,12 +269,14 @@ private:
     return result;
   }
 
-  /// The elements of an accessor, each an array of numbers.
+  /// The first elements of an accessor, at most `max_number`, each an array of numbers. Many objects may refer to one
+  /// large accessor: none reads more of it than it needs.
   template <class Element>
-  std::vector<Element> elements(std::size_t i, std::string_view kinds, const char* fault) const
+  std::vector<Element> elements(std::size_t i, std::size_t max_number, std::string_view kinds, const char* fault) const
   {
     constexpr std::size_t size = sizeof(Element) / sizeof(double);
     Number_view numbers = accessor(i, size, kinds, fault);
+    numbers.count = std::min(numbers.count, max_number);
     std::vector<Element> result(numbers.count);
     for (std::size_t k = 0; k < size; ++k, numbers.bytes += numbers.type.size) {
       numbers.for_each([&result, k](std::size_t e, double number) { result[e][k] = number; });
@@ -284,7 +286,8 @@ private:
 
   std::vector<Vector3> points(std::size_t i) const
   {
-    std::vector<Vector3> result = elements<Vector3>(i, "f", "positions are not vectors of floating-point numbers");
+    std::vector<Vector3> result =
+        elements<Vector3>(i, none, "f", "positions are not vectors of floating-point numbers");
     for (const Vector3& point : result) {
       if (!point.allFinite()) {
         fail("a position is not finite");
@@ -319,13 +322,19 @@ private:
     using Matrix = std::array<double, 16>;
     for (const Json& skin : list("skins")) {
       std::vector<Affine_map>& maps = m_skins.emplace_back().joints;
+      const Json& joints = list(skin, "joints");
       const std::size_t i = number(skin, "inverseBindMatrices", none);
-      const auto matrices =
-          i == none ? std::vector<Matrix>() : elements<Matrix>(i, "f", "the matrices of a skin are not made of floats");
-      for (const Json& joint : list(skin, "joints")) {
+      std::vector<Matrix> matrices;
+      if (i != none) {
+        matrices = elements<Matrix>(i, joints.size(), "f", "the matrices of a skin are not made of floats");
+      }
+      for (const Json& joint : joints) {
         const std::size_t node = to_index(joint);
-        const Affine_map place = node < m_place.size() ? m_place[node].value_or(Affine_map()) : Affine_map();
-        maps.push_back(maps.size() < matrices.size() ? place * map_of_matrix(matrices[maps.size()]) : place);
+        Affine_map& map = maps.emplace_back();
+        if (node < m_place.size() && m_place[node]) {
+          map = maps.size() <= matrices.size() ? *m_place[node] * map_of_matrix(matrices[maps.size() - 1])
+                                               : *m_place[node];
+        }
       }
     }
   }
@@ -336,8 +345,8 @@ private:
   {
     constexpr const char* fault = "a skin, its joints or its weights are not complete";
     using Four = std::array<double, 4>;
-    const auto joints = elements<Four>(number(attributes, "JOINTS_0", none), "u", fault);
-    const auto weights = elements<Four>(number(attributes, "WEIGHTS_0", none), "fu", fault);
+    const auto joints = elements<Four>(number(attributes, "JOINTS_0", none), points.size(), "u", fault);
+    const auto weights = elements<Four>(number(attributes, "WEIGHTS_0", none), points.size(), "fu", fault);
     if (skin >= m_skins.size() || joints.size() < points.size() || weights.size() < points.size()) {
       fail(fault);
     }

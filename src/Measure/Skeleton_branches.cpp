@@ -380,10 +380,11 @@ public:
   Node_measurement(const Skeleton& skeleton, const Assigned_surface& surface)
       : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton))
   {
-    std::vector<Bounding_box> boxes;
-    boxes.reserve(surface.triangles.size());
-    for (const auto& [a, b, c] : surface.triangles) {
-      boxes.emplace_back(std::vector<Vector3>{surface.points[a], surface.points[b], surface.points[c]});
+    std::vector<Bounding_box> boxes(surface.triangles.size());
+    for (Index face = 0; face < boxes.size(); ++face) {
+      for (const Index corner : surface.triangles[face]) {
+        boxes[face].extend(surface.points[corner]);
+      }
     }
     m_faces = Box_tree(boxes);
   }

@@ -158,13 +158,19 @@ TEST(Write_rig, joints_move_the_mesh_that_is_read)
   glb.json["nodes"][1]["translation"][0] = 1.5;    // the root, by 1
   glb.json["nodes"][3]["scale"] = {2, 2, 2};
   glb.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + test_support::base64(glb.binary);
-  std::istringstream in(glb.json.dump());
-  Gltf_mesh mesh;
-  CSCD::read_triangle_mesh(in, ".gltf", "input", mesh);
+  const auto read = [&glb] {
+    std::istringstream in(glb.json.dump());
+    Gltf_mesh mesh;
+    CSCD::read_triangle_mesh(in, ".gltf", "input", mesh);
+    return mesh;
+  };
+  const Gltf_mesh mesh = read();
   // The place of p is 0.7 of joint + 2 (p - joint), and 0.3 of p, moved by 1.
   EXPECT_NEAR(std::pow(1.7, 3), CGAL::Polygon_mesh_processing::volume(mesh), 1e-5);
   const Gltf_mesh::Point corner = mesh.point(*mesh.vertices().begin());
   EXPECT_LT(CGAL::squared_distance(corner, Gltf_mesh::Point(1 - 0.63, -0.35, -0.35)), 1e-12);
+  glb.json["scenes"][0]["nodes"] = {0}; // joints out of the scene count as if they were at rest
+  EXPECT_NEAR(1, CGAL::Polygon_mesh_processing::volume(read()), 1e-6);
 }
 
 TEST(Write_rig, glb_refuses_what_it_cannot_hold)
