@@ -16,7 +16,7 @@ build_benchmarks()
   # In a build folder that has the tests or examples, they stay.
   local -a configure=(
     cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON
-    -DCSCD_PROGRAM_FLAGS=)
+    -DCSCD_WITH_ALL_METHODS=ON -DCSCD_PROGRAM_FLAGS=)
   if [[ ! -e $build_dir/CMakeCache.txt ]]; then
     configure+=(-DCSCD_BUILD_TESTS=OFF)
   fi

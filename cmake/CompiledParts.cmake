@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The compiled parts of the library: the core, which can also be used header-only, and the modules, which cannot.
+# The compiled parts of the library: the core and the published method, which can also be used header-only, and the
+# modules, which cannot.
 
-# Each module after the modules that it links.
-set(cscd_parts core measure tree application io)
+# Each part after the parts that it links.
+set(cscd_parts core published measure tree application io)
 
-set(cscd_core_sources mesh_pipeline.cpp points.cpp published_method.cpp)
+set(cscd_core_sources mesh_pipeline.cpp points.cpp)
+set(cscd_published_sources published_method.cpp)
+set(cscd_published_links core)
 set(cscd_measure_sources
     Measure/Rooted_forest.cpp
     Measure/Skeleton_branches.cpp
@@ -38,7 +41,7 @@ set(cscd_io_links tree application)
 
 # cscd_add_parts(<prefix> [STATIC])
 # adds the libraries <prefix>_core, <prefix>_measure and so on, and <prefix>_compiled, which links all of them. The files
-# of a module are compiled as one, since most of the time goes to the headers that they share: in a module no name may be
+# of a part are compiled as one, since most of the time goes to the headers that they share: in a part no name may be
 # defined twice.
 function(cscd_add_parts prefix)
   foreach(part IN LISTS cscd_parts)
@@ -51,12 +54,7 @@ function(cscd_add_parts prefix)
     target_link_libraries(${target} PUBLIC CSCD::parallel ${links})
     target_compile_definitions(${target} PUBLIC CSCD_COMPILED)
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
-    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-    if(part STREQUAL "io")
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8) # one for each of some processors
-    elseif(NOT part STREQUAL "core")
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    endif()
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endforeach()
   if(TARGET ${prefix}_io)
     target_link_libraries(${prefix}_io PRIVATE $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)

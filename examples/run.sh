@@ -2,10 +2,17 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs missing packages (Debian, Ubuntu), builds the program cscd, skeletonizes a real mesh and
-# a real point set, and names the files to open. Takes no arguments; may be run again.
+# examples/run.sh [--all-methods]
+# installs missing packages (Debian, Ubuntu), builds the program cscd, skeletonizes a real mesh and a real point set, and
+# names the files to open. May be run again. With --all-methods, the program also has the published method, the method
+# for graphs, and wraps.
 
 set -euo pipefail
+
+if (($#)) && [[ $* != --all-methods ]]; then
+  echo "run.sh: $*: is not an argument; the only one is --all-methods" >&2
+  exit 1
+fi
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$source_dir/build
@@ -20,12 +27,15 @@ points=data/points_3/kitten.xyz
 source "$source_dir/cmake/install_packages.sh"
 install_packages "${library_packages[@]}"
 
-echo "Building in $build_dir: four to eight minutes on two cores, once"
-# In a build folder that has the tests or benchmarks, they stay.
+# What a build folder already has stays: tests, benchmarks, methods.
 configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja)
 if [[ ! -e $build_dir/CMakeCache.txt ]]; then
-  configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF)
+  configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF -DCSCD_WITH_ALL_METHODS=OFF)
 fi
+if (($#)); then
+  configure+=(-DCSCD_WITH_ALL_METHODS=ON)
+fi
+echo "Building in $build_dir: two to four minutes on two cores, once; with --all-methods, half as long again"
 "${configure[@]}" >/dev/null
 cmake --build "$build_dir" --parallel "$(number_of_jobs)" --target cscd
 

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "memory.h"
 #include "options.h"
+#include "other_methods.h"
 #include "write_report.h"
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -131,6 +132,9 @@ private:
   std::string m_examples;
 };
 
+/// Behind the version of a program that has no more than the local method.
+constexpr const char* local_method_only = " without the published method, graphs and wraps";
+
 /// The value that the help shows as the default.
 std::string default_text(const cscd::Option& option)
 {
@@ -167,7 +171,10 @@ void add_option(CLI::App& command, const cscd::Option& option, const std::vector
     }
     return true;
   };
-  CLI::Option* added = command.add_option(name, set, option.help);
+  const bool is_left_out = option.needs_all_methods && !cscd::has_all_methods;
+  const std::string help =
+      is_left_out ? "left out of this build; configure it with -DCSCD_WITH_ALL_METHODS=ON" : option.help;
+  CLI::Option* added = command.add_option(name, set, help);
   added->type_name(option.argument)->default_str(default_text(option))->required(option.is_required);
   if (!is_positional) {
     added->group(option.group);
@@ -241,7 +248,8 @@ int run(int argc, char** argv)
   All_options options;
   const std::vector<Command> commands = make_commands(options);
   CLI::App app("Curve skeletons of 3D shapes.", "cscd");
-  app.set_version_flag("--version", std::string("cscd ") + CSCD_VERSION);
+  app.set_version_flag("--version",
+                       std::string("cscd ") + CSCD_VERSION + (cscd::has_all_methods ? "" : local_method_only));
   app.footer(explanations);
   app.require_subcommand(1);
   std::string examples;

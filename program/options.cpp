@@ -5,6 +5,7 @@
 
 #include "options.h"
 
+#include "other_methods.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/exceptions.h>
 
@@ -191,7 +192,8 @@ std::vector<Option> options_of(Skeletonize_options& o)
   append(table, skeleton_group,
          {Option{"as", &o.domain, "graph", "skeletonize the edges of INPUT, which need not be of a surface"}
               .one_of({graph_domain})
-              .of(mesh_input | point_input | graph_input),
+              .of(mesh_input | point_input | graph_input)
+              .of_other_methods(),
           Option{"neighbors", &o.number_of_neighbors, "K", "neighbors to join each point of a graph to; by default 24"}
               .at_least(1)
               .of(graph_input, "add --as graph"),
@@ -203,7 +205,8 @@ std::vector<Option> options_of(Skeletonize_options& o)
               .of(mesh_input | volume_input),
           Option{"wrap", &o.wrap, "SIZE", "close gaps narrower than SIZE of the diagonal, join parts that touch"}
               .in(0.001, 0.5) // a wrap has some 1 / size^2 vertices
-              .of(mesh_input),
+              .of(mesh_input)
+              .of_other_methods(),
           root_option(o.root)});
   append(table, detail_group,
          {Option{"detail", &o.detail, "D", "how small a limb may be to get a branch: 0 none, 1 every bump"}
@@ -247,7 +250,8 @@ std::vector<Option> options_of(Skeletonize_options& o)
       table, expert_group,
       {Option{"method", &o.method, "local|published", "algorithms of CSCD, or of the paper, much slower"}
            .one_of({local_method, published_method})
-           .of(any_input & ~graph_input),
+           .of(any_input & ~graph_input)
+           .of_other_methods(),
        Option{"literal", &o.is_literal, "", "published method as printed where the default differs"}.of_method(
            published_method, "add --method published"),
        Option{"seed", &o.seed, "N", "seed of the random choice of sources"}.at_least(0),
@@ -343,6 +347,12 @@ std::vector<Option> options_of(Loops_options& o)
   return table;
 }
 
+void refuse_left_out(const std::string& argument)
+{
+  throw Usage_error(argument + ": this build has neither the published method nor graphs nor wraps; configure it with "
+                               "-DCSCD_WITH_ALL_METHODS=ON");
+}
+
 void check_name(const std::function<void()>& check, const std::string& more)
 {
   try {
@@ -393,6 +403,9 @@ void assign(const Option& option, const std::string& text)
   if (!option.choices.empty() &&
       std::find(option.choices.begin(), option.choices.end(), text) == option.choices.end()) {
     refuse(option, "must be " + boost::algorithm::join(option.choices, " or ") + ", not " + text);
+  }
+  if (option.needs_all_methods && !has_all_methods && text != text_of(option)) {
+    refuse_left_out("--" + option.name + " " + text);
   }
   std::visit(
       [&](auto* value) {

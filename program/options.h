@@ -185,6 +185,7 @@ struct Option
   unsigned kinds = any_input;                             ///< of input: the option applies to these
   std::string method{};                                   ///< the only one that has the option; empty if all have it
   std::string remedy{};                                   ///< where the option does not apply, besides leaving it out
+  bool needs_all_methods = false;                         ///< other values than the default are of other methods
 
   /// \name Setters
   /// Each returns the row, so that calls chain.
@@ -204,6 +205,8 @@ struct Option
   {
     return method = std::move(name_of_method), remedy = std::move(other), *this;
   }
+  /// A program with the local method alone has the default value only.
+  Option& of_other_methods() { return needs_all_methods = true, *this; }
   Option& required() { return is_required = true, *this; }
   Option& with_letter(char short_name) { return letter = short_name, *this; }
   /// @}
@@ -242,7 +245,7 @@ std::string python_name(const Option& option);
 /// The value as text; empty without a value.
 std::string text_of(const Option& option);
 
-/// Sets the value. \throw Usage_error naming the option and its range if `text` is not such a value
+/// Sets the value. \throw Usage_error naming the option and its range if `text` is not such a value, or is left out
 void assign(const Option& option, const std::string& text);
 
 /// The rows of the table of `options` whose values are not the defaults.

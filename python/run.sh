@@ -18,7 +18,8 @@ install_packages "${library_packages[@]}" "${python_packages[@]}"
 
 echo "Building in $build_dir"
 # In a build folder that has the tests or benchmarks, they stay.
-configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCSCD_BUILD_PYTHON=ON "-DPython_EXECUTABLE=$python")
+configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCSCD_BUILD_PYTHON=ON -DCSCD_WITH_ALL_METHODS=ON
+  "-DPython_EXECUTABLE=$python")
 if [[ ! -e $build_dir/CMakeCache.txt ]]; then
   configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF)
 fi

@@ -60,7 +60,7 @@ protected:
   /// \param before the first commands of the shell, with a semicolon, or the variables that the program gets
   Outcome run(const std::string& arguments, const std::string& before = "")
   {
-    const std::string command = "cd '" + m_folder.path().string() + "' && " + before + " '" CSCD_PROGRAM "' " +
+    const std::string command = "cd '" + m_folder.path().string() + "' && " + before + " '" + m_program + "' " +
                                 arguments + " > '" + m_streams.file("out") + "' 2> '" + m_streams.file("err") + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(m_streams.file("out")),
@@ -87,6 +87,7 @@ protected:
     }
   }
 
+  std::string m_program = CSCD_PROGRAM;
   Temporary_folder m_folder;
 
 private:

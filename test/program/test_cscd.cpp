@@ -927,6 +927,26 @@ TEST_F(Cscd, knows_the_published_method)
   EXPECT_EQ(true, nlohmann::json::parse(content("r.json")).at("literal"));
 }
 
+TEST_F(Cscd, says_that_other_methods_are_left_out)
+{
+  m_folder.write("torus.off", off(torus()));
+  const std::string skeleton = run("torus.off -o -").out;
+  m_program = CSCD_PROGRAM_OF_LOCAL_METHOD;
+  EXPECT_EQ(skeleton, run("torus.off --method local -o -").out);
+  const std::string remedy = "-DCSCD_WITH_ALL_METHODS=ON";
+  for (const std::string arguments : {"--method published", "--wrap 0.01", "--as graph"}) {
+    expect_refusal("torus.off " + arguments + " -o -", 1, {arguments, remedy});
+  }
+  std::istringstream help(run("skeletonize --help").out);
+  std::size_t number_of_remedies = 0;
+  for (std::string line; std::getline(help, line);) {
+    EXPECT_LE(line.size(), 120u) << line;
+    number_of_remedies += line.find(remedy) != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(3u, number_of_remedies);
+  EXPECT_NE(std::string::npos, run("--version").out.find("without the published method"));
+}
+
 TEST_F(Cscd, writes_a_page_with_all_in_it)
 {
   std::filesystem::create_directory(m_folder.path() / "meshes");

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The published method, the method for graphs, and wraps of meshes.
+
+#include "other_methods.h"
+
+#include "Progress_bar.h"
+#include "run_skeletonization.h"
+#include "types.h"
+#include "wrap.h"
+#include <CSCD/Graph_policies.h>
+#include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published_policies.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/Traits/Spatial_graph_traits.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Vector3.h>
+#include <CSCD/extract_curve_skeleton_from_graph.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace cscd {
+
+const bool has_all_methods = true;
+
+namespace {
+
+/// A skeleton whose nodes hold numbers of points.
+using Number_graph = CSCD::Skeleton_graph<Vector3, std::size_t>;
+
+CSCD::Published_policies published_policies(const Skeletonize_options& options, bool is_of_points)
+{
+  CSCD::Field_search_settings settings;
+  if (options.is_literal) {
+    settings = CSCD::Field_search_settings::literal();
+  }
+  if (is_of_points) {
+    settings.overlap_rule = CSCD::Overlap_rule::nearest_vertex;
+  }
+  return CSCD::Published_policies(settings);
+}
+
+/// Skeletonizes the mesh of `input` by the published method.
+Skeletonization_result compute_published_mesh_skeleton(const Input& input, const Skeletonize_options& options,
+                                                       Progress_visitor& visitor)
+{
+  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>; // never made
+  CSCD::Indexed_triangles triangles{input.points, input.faces, input.faces.size()};
+  CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size(), options.number_of_threads);
+  const CSCD::Triangle_mesh_traits<Mesh> traits(std::move(triangles), std::move(pairing),
+                                                engine_options(options).border_treatment, options.number_of_threads);
+  return run_skeletonization(traits, published_policies(options, false), options, visitor);
+}
+
+/// Skeletonizes the graph of `input`.
+Skeletonization_result compute_graph_skeleton(const Input& input, const Skeletonize_options& options,
+                                              Progress_visitor& visitor)
+{
+  // Skeletons are graphs with positions, too.
+  using Traits = CSCD::Spatial_graph_traits<Number_graph, CSCD::internal::Bundled_point_map<Number_graph>>;
+  Number_graph graph;
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    auto& vertex = graph[add_vertex(graph)];
+    vertex.point = input.points[i];
+    vertex.radius = input.graph->has_radii() ? input.graph->radii[i] : 0;
+  }
+  for (const auto& [a, b] : input.graph->edges) {
+    add_edge(a, b, graph);
+  }
+  const Traits traits(graph, CSCD::internal::Bundled_point_map<Number_graph>{&graph});
+  Skeletonization_result result = run_skeletonization(traits, CSCD::Graph_policies(), options, visitor);
+  result.skeleton.separators.clear(); // sets of vertices, no curves
+  return result;
+}
+
+/// Skeletonizes the points of `input` as published, and puts the triangles that join them into its mesh.
+Skeletonization_result compute_published_point_skeleton(Input& input, const Skeletonize_options& options,
+                                                        Progress_visitor& visitor)
+{
+  const auto traits = make_traits<CSCD::Point_set_traits<Numbers, Point_map>>(input);
+  Skeletonization_result result = run_skeletonization(traits, published_policies(options, true), options, visitor);
+  result.is_of_points = true;
+  take_surface(traits, input);
+  return result;
+}
+
+} // namespace
+
+void wrap_input(Input& input, double size)
+{
+  Input wrapped =
+      make_input(CSCD::internal::make_manifold(wrap_mesh(input.points, input.faces, size), "the wrap").triangles);
+  input.points = std::move(wrapped.points);
+  input.faces = std::move(wrapped.faces);
+  input.is_wrapped = true;
+}
+
+void compute_other_skeleton(Input& input, const Skeletonize_options& options, Progress_visitor& visitor,
+                            Skeletonization_result& result)
+{
+  result = input.graph          ? compute_graph_skeleton(input, options, visitor)
+           : input.is_point_set ? compute_published_point_skeleton(input, options, visitor)
+                                : compute_published_mesh_skeleton(input, options, visitor);
+}
+
+} // namespace cscd

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The computation of skeletons by `Curve_skeletonization`, for any traits and policies.
+
+#ifndef CSCD_PROGRAM_RUN_SKELETONIZATION_H
+#define CSCD_PROGRAM_RUN_SKELETONIZATION_H
+
+#include "Progress_bar.h"
+#include "types.h"
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Options.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector3.h>
+
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <boost/range/iterator_range_core.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace cscd {
+
+using Numbers = std::vector<std::size_t>;
+using Point_map = CGAL::Pointer_property_map<Vector3>::const_type;
+
+/// The options of the engine that `options` choose.
+CSCD::Options engine_options(const Skeletonize_options& options);
+
+/// Makes surface traits of the numbered points of `input`, and of the normals if there are any.
+template <class Traits>
+Traits make_traits(const Input& input)
+{
+  Numbers numbers(input.number_of_points);
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  const Point_map point_map = CGAL::make_property_map(input.points);
+  return input.normals.empty() ? Traits(numbers, point_map)
+                               : Traits(numbers, point_map, Point_map(CGAL::make_property_map(input.normals)));
+}
+
+/// Takes over the surface of `traits`, which were made of the points of `input`: its vertices are the points, and
+/// inserted ones behind them.
+template <class Traits>
+void take_surface(const Traits& traits, Input& input)
+{
+  const auto& triangulation = traits.surface().triangulation();
+  std::vector<Index> place_of_vertex;
+  for (Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
+    const auto numbers = traits.descriptors(vertex);
+    const Vector3 place = traits.to_input_point(triangulation.point(vertex));
+    const auto nearest = std::min_element(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+      return (input.points[a] - place).squaredNorm() < (input.points[b] - place).squaredNorm();
+    });
+    place_of_vertex.push_back(Index(nearest == numbers.end() ? input.points.size() : *nearest));
+    if (nearest == numbers.end()) {
+      input.points.push_back(place);
+    }
+  }
+  for (Index face = 0; face < triangulation.number_of_faces(); ++face) {
+    const auto [a, b, c] = triangulation.face_halfedges(face);
+    input.faces.push_back({place_of_vertex[triangulation.origin(a)], place_of_vertex[triangulation.origin(b)],
+                           place_of_vertex[triangulation.origin(c)]});
+  }
+}
+
+/// The plain skeleton of a graph whose nodes hold numbers of vertices or points of the input.
+template <class Graph>
+Skeleton to_plain(const Graph& graph)
+{
+  Skeleton result = CSCD::internal::index_skeleton(graph);
+  for (const auto node : boost::make_iterator_range(vertices(graph))) {
+    result.vertices.emplace_back();
+    for (const auto number : graph[node].vertices) {
+      result.vertices.back().push_back(Index(number));
+    }
+  }
+  for (const auto edge : boost::make_iterator_range(edges(graph))) {
+    result.significance.push_back(graph[edge].significance);
+  }
+  return result;
+}
+
+/// Skeletonizes the surface of `traits` by the algorithms of `policies`.
+template <class Traits, class Policies>
+Skeletonization_result run_skeletonization(const Traits& traits, const Policies& policies,
+                                           const Skeletonize_options& options, Progress_visitor& visitor)
+{
+  CSCD::Curve_skeletonization<Traits, Policies, Progress_visitor&> skeletonization(traits, policies, visitor);
+  const CSCD::Options settings = engine_options(options);
+  skeletonization.set_random_seed(settings.random_seed)
+      .set_number_of_threads(settings.number_of_threads)
+      .set_maximum_number_of_sources(settings.maximum_number_of_sources);
+  typename decltype(skeletonization)::Skeleton graph;
+  Skeletonization_result result;
+  result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(graph);
+  result.skeleton = to_plain(graph);
+  for (auto separator : skeletonization.packed_separators()) {
+    result.skeleton.separators.push_back(
+        CSCD::internal::to_vectors(skeletonization.polyline(skeletonization.separators()[separator])));
+  }
+  return result;
+}
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_RUN_SKELETONIZATION_H
