@@ -15,10 +15,8 @@
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Published/Sampled_search.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
-#include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
@@ -133,20 +131,7 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
                                       Options().node_spacing, report);
     }
   }
-  const auto place_nodes = [&](Skeleton_builder& builder) {
-    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-      if (surface.number_of_sheets() > 0) {
-        // Node i is that of the separator at position i.
-        for (Index i = 0; i < packing.packed().size() && i < builder.size(); ++i) {
-          internal::place_on_sheet(surface, separators[packing.packed()[i]], builder[i]);
-        }
-        internal::settle_on_sheets(surface, builder);
-        internal::Junction_centering(surface, builder)(true);
-        internal::finish_on_sheets(surface, builder);
-      }
-    }
-  };
-  return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);
+  return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions())(report);
 }
 
 #ifdef CSCD_COMPILED
