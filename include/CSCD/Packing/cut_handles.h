@@ -9,7 +9,6 @@
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -19,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -172,14 +170,13 @@ private:
 };
 
 /// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
-/// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one that spans the body
-/// rather than a hole, the shorter the better.
+/// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one, the shorter the better.
 class Handle_cutting
 {
 public:
   /// `separators` are those of `packing`; the new ones are appended to them.
-  Handle_cutting(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing)
-      : m_solid(solid), m_surface(solid.triangulation()), m_separators(separators), m_packing(packing)
+  Handle_cutting(const Triangulated_surface& surface, std::vector<Separator>& separators, Separator_packing& packing)
+      : m_surface(surface), m_separators(separators), m_packing(packing)
   {
   }
 
@@ -188,51 +185,31 @@ public:
   std::size_t operator()()
   {
     std::size_t count = 0;
-    bool is_any_allowed = false;
-    while (has_handles()) {
-      const std::size_t added = cut(is_any_allowed);
-      if (added == 0 && is_any_allowed) {
-        break;
-      }
-      is_any_allowed = added == 0;
+    std::size_t added = 1;
+    while (added > 0 && has_handles()) {
+      added = cut();
       count += added;
     }
     return count;
   }
 
 private:
-  /// A loop spans the body if at least this share of the cone from its center is inside.
-  static constexpr double min_inside_part = 0.5;
-
   bool has_handles() const
   {
     const std::vector<Cut_graph::Piece>& pieces = m_packing.cut_graph().pieces();
     return std::any_of(pieces.begin(), pieces.end(), [](const Cut_graph::Piece& piece) { return piece.genus() > 0; });
   }
 
-  /// Cuts along all loops that span the body, or if `is_any_allowed`, along any, that are disjoint and each lower the
-  /// genus by one. \return their number
-  std::size_t cut(bool is_any_allowed)
+  /// Cuts along all loops that are disjoint and each lower the genus by one. \return their number
+  std::size_t cut()
   {
-    std::vector<std::pair<double, Vertex_loop>> candidates; // by length
-    std::vector<Vector3> points;
-    for (Vertex_loop& loop : Handle_loops(m_surface, m_packing.arrangement()).of_all_pieces()) {
-      points.clear();
-      std::transform(loop.begin(), loop.end(), std::back_inserter(points),
-                     [this](Index vertex) { return m_surface.point(vertex); });
-      const Polygon_measures measures = measure_polygon(points);
-      if (is_any_allowed || span_inside_share(m_solid, points, measures.center) >= min_inside_part) {
-        candidates.emplace_back(measures.length, std::move(loop));
-      }
-    }
-    std::sort(candidates.begin(), candidates.end());
     m_room.assign(m_surface.number_of_halfedges(), 1.);
     for (const Index packed : m_packing.packed()) {
       take_room(m_separators[packed].crossings);
     }
     Separator_arrangement arrangement = m_packing.arrangement();
     std::vector<Separator> trial;
-    for (const auto& [length, loop] : candidates) {
+    for (const Vertex_loop& loop : Handle_loops(m_surface, m_packing.arrangement()).of_all_pieces()) {
       insert(loop, trial, arrangement);
     }
     return pack(trial, Cut_graph(m_surface, arrangement));
@@ -288,7 +265,6 @@ private:
     }
   }
 
-  const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;
   std::vector<Separator>& m_separators;
   Separator_packing& m_packing;
@@ -299,7 +275,7 @@ private:
 inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing,
                         Skeletonization_report& report)
 {
-  report.number_of_handle_cuts = Handle_cutting(solid, separators, packing)();
+  report.number_of_handle_cuts = Handle_cutting(solid.triangulation(), separators, packing)();
   for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
     mark_open(solid, separators[i]);
   }

@@ -9,17 +9,24 @@
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -102,6 +109,145 @@ private:
   double m_refinement; ///< vertices of the finest level for each one of this level
 };
 
+/// Finds cycles that pass one separator only, such as those around holes that were drilled into a body: one piece of
+/// the surface has both sides of the separator.
+class Handle_cycle
+{
+public:
+  /// O(n) for n edges of the surface. \param cut is referred to
+  explicit Handle_cycle(const Cut_solid& cut)
+      : m_cut(cut), m_surface(cut.solid.triangulation()), m_is_cut(m_surface.number_of_halfedges(), 0),
+        m_search(m_surface.number_of_vertices()), m_entered(m_surface.number_of_vertices(), no_index)
+  {
+    for (Index i = 0; i < cut.packed.size(); ++i) {
+      for (const Edge_crossing& crossing : cut.separator(i).crossings) {
+        m_is_cut[m_surface.edge(crossing.halfedge)] = 1;
+      }
+    }
+  }
+
+  /// Points inside the body on the cycle through the separator at position `i`, in order, the first one next to it. The
+  /// cycle follows the shortest way on the surface from one side of the separator to the other or, if the separator
+  /// rather than this way surrounds a hole, the separator. O(n log n) for n vertices nearer than the way is long.
+  std::vector<Vector3> operator()(Index i)
+  {
+    std::vector<Vector3> outline;
+    crossing_points(m_surface, m_cut.separator(i).crossings, outline);
+    const std::vector<Vector3> way = shortest_way(i);
+    const bool is_along_separator = way.empty() || inside_share(outline) < inside_share(way);
+    return points_inside(is_along_separator ? outline : way);
+  }
+
+private:
+  /// Of a cycle: fewer might not lead around the hole.
+  static constexpr std::size_t number_of_nodes = 8;
+
+  /// The share of the cone from the center of `curve` inside the body.
+  double inside_share(const std::vector<Vector3>& curve) const
+  {
+    return span_inside_share(m_cut.solid, curve, measure_polygon(curve).center);
+  }
+
+  /// For each vertex next to the separator at position `i`, on its left side or else on its right side, the nearest
+  /// crossing.
+  std::map<Index, Vector3> side(Index i, bool is_left) const
+  {
+    std::map<Index, Vector3> result;
+    for (const Edge_crossing& crossing : m_cut.separator(i).crossings) {
+      const Index h = crossing.halfedge;
+      const Index vertex = is_left ? m_surface.target(h) : m_surface.origin(h);
+      const Vector3 point = crossing_point(m_surface, crossing);
+      if (m_cut.cut_graph.piece_of_vertex(vertex) == m_cut.cut_graph.sides(i).left) {
+        Vector3& nearest = result.emplace(vertex, point).first->second;
+        nearest = distance(vertex, point) < distance(vertex, nearest) ? point : nearest;
+      }
+    }
+    return result;
+  }
+
+  float distance(Index vertex, const Vector3& point) const { return float((m_surface.point(vertex) - point).norm()); }
+
+  /// The points of the shortest way along edges that no separator crosses, from the left to the right side of the
+  /// separator at position `i`; none without such edges.
+  std::vector<Vector3> shortest_way(Index i)
+  {
+    const std::map<Index, Vector3> starts = side(i, true);
+    const std::map<Index, Vector3> ends = side(i, false);
+    m_search.clear();
+    for (const auto& [vertex, point] : starts) {
+      m_search.reach(vertex, distance(vertex, point));
+      m_entered[vertex] = no_index;
+    }
+    Index end = no_index;
+    float length = std::numeric_limits<float>::infinity();
+    m_search.spread([&](Index vertex, float to_vertex) {
+      const auto found = ends.find(vertex);
+      if (found != ends.end() && to_vertex + distance(vertex, found->second) < length) {
+        end = vertex;
+        length = to_vertex + distance(vertex, found->second);
+      }
+      if (to_vertex >= length) {
+        m_search.clear();
+        return;
+      }
+      for (const Index h : m_surface.outgoing(vertex)) {
+        if (m_is_cut[m_surface.edge(h)] == 0 &&
+            m_search.reach(m_surface.target(h), to_vertex + float(m_surface.length(h)))) {
+          m_entered[m_surface.target(h)] = h;
+        }
+      }
+    });
+    if (end == no_index) {
+      return {};
+    }
+    std::vector<Vector3> result{ends.at(end), m_surface.point(end)};
+    Index vertex = end;
+    for (; m_entered[vertex] != no_index; result.push_back(m_surface.point(vertex))) {
+      vertex = m_surface.origin(m_entered[vertex]);
+    }
+    result.push_back(starts.at(vertex));
+    return result;
+  }
+
+  /// Points near those that divide the closed `curve` around a hole into parts of equal length.
+  std::vector<Vector3> points_inside(const std::vector<Vector3>& curve) const
+  {
+    const Polygon_measures measures = measure_polygon(curve);
+    const double part_length = measures.length / number_of_nodes;
+    std::vector<Vector3> result;
+    double passed = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const Vector3 way = curve[(i + 1) % curve.size()] - curve[i];
+      const double length = way.norm();
+      while (result.size() < number_of_nodes && double(result.size()) * part_length < passed + length) {
+        const double part = (double(result.size()) * part_length - passed) / length;
+        result.push_back(point_inside(curve[i] + part * way, measures));
+      }
+      passed += length;
+    }
+    return result;
+  }
+
+  /// A point inside the body near `point` of a curve around a hole, at most as far from the surface as the curve from
+  /// its center. As `point` may be on the edge of the hole, it is below the surface somewhat farther from the center.
+  Vector3 point_inside(const Vector3& point, const Polygon_measures& curve) const
+  {
+    constexpr double relative_distance = 1.5; // from the center
+    constexpr double relative_offset = 1e-9;  // of the ray from the surface, in the unit of its area
+    const Surface_point foot = m_cut.solid.closest_point(curve.center + relative_distance * (point - curve.center));
+    const Vector3 inward = -m_cut.solid.query_surface().face_vector(foot.face).normalized();
+    const std::optional<Surface_hit> hit = m_cut.solid.first_hit(foot.point + relative_offset * inward, inward);
+    const double radius = curve.length / (2 * boost::math::double_constants::pi);
+    return foot.point + (hit ? std::min(hit->distance / 2, radius) : 0) * inward;
+  }
+
+  const Cut_solid& m_cut;
+  const Triangulated_surface& m_surface;
+  std::vector<char> m_is_cut;   ///< whether a separator crosses an edge; by its number
+  Dijkstra_search m_search;     ///< over vertices
+  std::vector<Index> m_entered; ///< for each reached vertex, the halfedge on the way to it
+};
+
 /// Adds the nodes of separators, joins them where a piece lies between two, and adds a junction in each piece that has
 /// three or more around it, and a node in each component without any. Parallel edges and loops may occur.
 class Cut_graph_nodes
@@ -159,7 +305,7 @@ private:
     if (has_node) {
       m_node_of_piece[piece] = add_middle(piece);
       m_graph[m_node_of_piece[piece]].number_of_vertices = share;
-    } else if (around.size() == 2) {
+    } else if (around.size() == 2 && (around[0] != around[1] || !add_cycle(around[0], no_index))) {
       m_graph.add_edge(around[0], around[1]);
       bend_edge(piece, around[0], around[1]);
     }
@@ -186,15 +332,58 @@ private:
     const Vector3 position = weight > 0 ? Vector3(sum / weight) : m_pieces.point(*m_pieces[piece].begin());
     const Index node = m_graph.add_node(position, radius);
     m_graph[node].pieces = {piece};
-    for (Index i : m_cut.around(piece)) {
-      m_graph.add_edge(node, i);
-    }
+    join_separators(node, m_cut.around(piece));
     if (m_cut.around(piece).empty()) {
       const Index vertex = m_cut.solid.query_level().to_finest(*m_pieces[piece].begin());
       m_graph[node].is_on_sheet = m_cut.solid.side_of_sheet(vertex) != 0;
       m_graph[node].radius = (m_cut.solid.closest_point(position).point - position).norm();
     }
     return node;
+  }
+
+  /// Joins `node` to the separators `around` its piece. Where both sides of one belong to the piece, it is on a cycle.
+  void join_separators(Index node, const std::vector<Index>& around)
+  {
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const bool is_handle = k + 1 < around.size() && around[k + 1] == around[k];
+      if (is_handle && add_cycle(around[k], node)) {
+        ++k;
+      } else {
+        m_graph.add_edge(node, around[k]);
+      }
+    }
+  }
+
+  /// Adds the nodes of the cycle through the separator `i`. Unless `node` is `no_index`, it is joined to the nearest
+  /// one. \return whether there is a cycle
+  bool add_cycle(Index i, Index node)
+  {
+    if (m_graph[i].is_on_sheet) {
+      return false;
+    }
+    if (!m_handle_cycle) {
+      m_handle_cycle.emplace(m_cut);
+    }
+    const std::vector<Vector3> points = (*m_handle_cycle)(i);
+    if (points.empty()) {
+      return false;
+    }
+    m_graph[i].position = points.front();
+    Index last = i;
+    Index nearest = i;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Index next = m_graph.add_node(points[k], m_graph[i].radius);
+      m_graph.add_edge(last, next);
+      last = next;
+      if (node != no_index && m_graph.edge_length(node, next) < m_graph.edge_length(node, nearest)) {
+        nearest = next;
+      }
+    }
+    m_graph.add_edge(last, i);
+    if (node != no_index) {
+      m_graph.add_edge(node, nearest);
+    }
+    return true;
   }
 
   /// Leads a long edge towards the centroid of its piece, which is on the outer side of a bend.
@@ -215,7 +404,8 @@ private:
   const Cut_solid& m_cut;
   const Piece_vertices& m_pieces;
   Skeleton_builder& m_graph;
-  std::vector<Index> m_node_of_piece; ///< `no_index` where only separators have nodes
+  std::optional<Handle_cycle> m_handle_cycle; ///< none until there is such a cycle
+  std::vector<Index> m_node_of_piece;         ///< `no_index` where only separators have nodes
 };
 
 } // namespace CSCD::internal
