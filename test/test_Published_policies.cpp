@@ -229,14 +229,42 @@ TEST(Published_policies, pack_the_shortest_first_where_length_is_the_weight)
   EXPECT_LT(length_of_first(CSCD::Weight_rule::shortness), length_of_first(CSCD::Weight_rule::balance_and_roundness));
 }
 
-TEST(Published_policies, place_nodes_in_sections)
+TEST(Published_policies, leave_out_separators_that_cross_where_nodes_are_in_sections)
 {
   CSCD::Field_search_settings settings;
-  settings.placement_rule = CSCD::Placement_rule::sections;
-  EXPECT_EQ(count_tips_of_limbs(settings), 3u);
-  expect_two_cycles_of_two_handles(settings);
   settings.overlap_rule = CSCD::Overlap_rule::crossing;
   expect_two_cycles_of_two_handles(settings);
+}
+
+TEST(Published_policies, cut_handles_that_no_source_finds)
+{
+  Skeleton skeleton;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::double_torus(0.2));
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(), 1);
+  EXPECT_GE(report.number_of_handle_cuts, 1u);
+  EXPECT_EQ(report.betti_number, 2u);
+  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
+    ADD_FAILURE() << violation;
+  }
+}
+
+/// Expects the nodes of a torus of radii 3 and 1 at this distance from its axis, with the tolerance of coarse sectors.
+void expect_nodes_at(double radius, const Skeleton& skeleton)
+{
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    const Point& p = skeleton[node].point;
+    EXPECT_NEAR(std::hypot(p.x(), p.y()), radius, 0.1);
+    EXPECT_NEAR(p.z(), 0, 0.1);
+  }
+}
+
+TEST(Published_policies, place_nodes_at_centroids_as_printed)
+{
+  const CSCD::Field_search_settings settings = CSCD::Field_search_settings::literal();
+  ASSERT_EQ(settings.placement_rule, CSCD::Placement_rule::centroids);
+  Skeleton skeleton;
+  skeletonize(CSCD::test::to_mesh<Mesh>(CSCD::test::torus(3, 1, 80)), skeleton, 0, 1, Policies(settings), 64);
+  expect_nodes_at(3 + 1. / 6, skeleton); // the centroid of a short sector
 }
 
 class Multiscale_search : public testing::Test
@@ -262,12 +290,7 @@ TEST_F(Multiscale_search, finds_what_a_search_on_the_surface_finds)
   EXPECT_GT(report.number_of_levels, 1u);
   EXPECT_EQ(report.betti_number, 1u);
   EXPECT_GT(report.number_of_separators, expected.number_of_separators * 9 / 10);
-  for (const auto node : boost::make_iterator_range(vertices(m_skeleton))) {
-    const Point& p = m_skeleton[node].point;
-    // The centroid of a short sector of a torus of radii 3 and 1.
-    EXPECT_NEAR(std::hypot(p.x(), p.y()), 3 + 1. / 6, 0.1);
-    EXPECT_NEAR(p.z(), 0, 0.1);
-  }
+  expect_nodes_at(3, m_skeleton);
 }
 
 /// For any separators, even without any.

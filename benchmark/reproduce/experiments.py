@@ -340,7 +340,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--repetitions", type=int, default=3, metavar="N", help="number of timed runs; by default 3")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()  # paths may follow options
     with tempfile.TemporaryDirectory() as folder:
         found = EXPERIMENTS[options.name](Laboratory(options.build / "bin", folder), options)
     is_timed = options.name in ("performance", "geodesics")

@@ -94,11 +94,11 @@ class Laboratory:
 
 
 def read_off(path):
-    """The points and triangles of a mesh in OFF format."""
-    numbers = path.read_text().split("OFF", 1)[1].split()
-    n, m = int(numbers[0]), int(numbers[1])
-    points = [tuple(map(float, numbers[3 + 3 * i:6 + 3 * i])) for i in range(n)]
-    return points, [tuple(map(int, numbers[4 + 3 * n + 4 * i:7 + 3 * n + 4 * i])) for i in range(m)]
+    """The points and triangles of a mesh in OFF format, without colors."""
+    lines = [line.split() for line in path.read_text().split("OFF", 1)[1].splitlines() if line.strip()]
+    n, m = map(int, lines[0][:2])
+    return ([tuple(map(float, line[:3])) for line in lines[1:n + 1]],
+            [tuple(map(int, line[1:4])) for line in lines[n + 1:n + m + 1]])
 
 
 def turns(path):

@@ -8,34 +8,32 @@
 
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Options.h>
+#include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Quotient_skeleton.h>
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Published/Sampled_search.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
-#include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
 
 /// The method as published: distances by the heat method on the intrinsic Delaunay triangulation, the cut locus from
-/// the whole distance field, shortening by edge flips or, among points, the variational flow, random sources, the
-/// quotient graph of regions. A model of `SkeletonizationPolicies` for every model of `SkeletonizationSurface`: with
-/// `Triangulated_solid` this is CSCD-M, with `Point_solid` CSCD-PC. Slower than `Local_policies` by an order of
-/// magnitude; its time grows with the number of sources times that of vertices.
+/// the whole distance field, shortening by edge flips or, among points, the variational flow, random sources; of
+/// a mesh the cut graph, else the quotient graph of regions. A model of `SkeletonizationPolicies` for every model of
+/// `SkeletonizationSurface`: with `Triangulated_solid` this is CSCD-M, with `Point_solid` CSCD-PC. Slower than
+/// `Local_policies` by an order of magnitude; its time grows with the number of sources times that of vertices.
 class Published_policies
 {
 public:
@@ -46,7 +44,7 @@ public:
   static constexpr std::size_t default_number_of_sources = 3000;
 
   /// \param settings how sources are drawn, targets chosen, loops shortened and separators packed
-  /// \pre a multiscale search and placement in sections for `Triangulated_solid` only
+  /// \pre a multiscale search for `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
   /// Draws `settings.maximum_number_of_sources` sources. Where that has no bound, `default_number_of_sources`; fewer,
@@ -56,13 +54,15 @@ public:
   std::vector<Separator> find_separators(const Surface& surface, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 
-  /// Drops separators by score, inside test and overlap, and gives each vertex to the nearest that remains.
+  /// Drops separators by score, inside test and overlap. With `Placement_rule::sections`, appends separators around
+  /// handles that no other one cuts; else gives each vertex to the nearest that remains.
   template <class Surface>
-  Packing pack_separators(const Surface& surface, const std::vector<Separator>& separators,
+  Packing pack_separators(const Surface& surface, std::vector<Separator>& separators,
                           Skeletonization_report& report) const;
 
-  /// Builds the skeleton of the quotient graph: a node for each region, an edge where two regions touch. With
-  /// `Placement_rule::sections` it is that of the surface cut along the packed separators, as by `Local_policies`.
+  /// Builds the skeleton of a mesh cut along the packed separators, as `Local_policies`. With
+  /// `Placement_rule::centroids`, and of any other surface, it is the quotient graph: a node for each region, an edge
+  /// where two regions touch.
   template <class Surface>
   Embedded_skeleton build_skeleton(const Surface& surface, const std::vector<Separator>& separators,
                                    const Packing& packing, Skeletonization_report& report) const;
@@ -88,27 +88,6 @@ private:
   Field_search_settings m_settings;
 };
 
-namespace internal {
-
-/// Embeds separators that were packed without cutting the surface, at the default spacing of nodes; separators that
-/// cross an earlier one are left out.
-inline Embedded_skeleton embed_packed_separators(const Triangulated_solid& solid,
-                                                 const std::vector<Separator>& separators,
-                                                 const std::vector<Index>& packed, Skeletonization_report& report)
-{
-  Separator_arrangement arrangement(solid.triangulation());
-  std::vector<Index> inserted;
-  for (Index separator : packed) {
-    if (arrangement.insert(separator, separators[separator].crossings)) {
-      inserted.push_back(separator);
-    }
-  }
-  const Cut_graph cut_graph(solid.triangulation(), arrangement);
-  return embed_skeleton(solid, separators, inserted, cut_graph, Options().node_spacing, report);
-}
-
-} // namespace internal
-
 template <class Surface>
 std::vector<Separator> Published_policies::find_separators(const Surface& surface, const Options& settings,
                                                            Skeletonization_report& report,
@@ -128,10 +107,18 @@ std::vector<Separator> Published_policies::find_separators(const Surface& surfac
 
 template <class Surface>
 Published_policies::Packing Published_policies::pack_separators(const Surface& surface,
-                                                                const std::vector<Separator>& separators,
+                                                                std::vector<Separator>& separators,
                                                                 Skeletonization_report& report) const
 {
-  return Packing(surface, separators, m_settings, report);
+  std::vector<Index> packed = Packing::pack(surface, separators, m_settings, report);
+  if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+    if (m_settings.placement_rule == Placement_rule::sections) {
+      internal::Separator_packing packing(surface.triangulation(), separators, packed);
+      internal::cut_handles(surface, separators, packing, report);
+      return Packing(packing);
+    }
+  }
+  return Packing(surface, separators, std::move(packed), m_settings.overlap_rule);
 }
 
 template <class Surface>
@@ -139,25 +126,12 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
                                                      const Packing& packing, Skeletonization_report& report) const
 {
   if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-    if (m_settings.placement_rule == Placement_rule::sections) {
-      return internal::embed_packed_separators(surface, separators, packing.packed(), report);
+    if (packing.cut_graph()) {
+      return internal::embed_skeleton(surface, separators, packing.packed(), *packing.cut_graph(),
+                                      Options().node_spacing, report);
     }
   }
-  CGAL_precondition(m_settings.placement_rule == Placement_rule::centroids);
-  const auto place_nodes = [&](Skeleton_builder& builder) {
-    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-      if (surface.number_of_sheets() > 0) {
-        // Node i is that of the separator at position i.
-        for (Index i = 0; i < packing.packed().size() && i < builder.size(); ++i) {
-          internal::place_on_sheet(surface, separators[packing.packed()[i]], builder[i]);
-        }
-        internal::settle_on_sheets(surface, builder);
-        internal::Junction_centering(surface, builder)(true);
-        internal::finish_on_sheets(surface, builder);
-      }
-    }
-  };
-  return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);
+  return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions())(report);
 }
 
 #ifdef CSCD_COMPILED
@@ -165,7 +139,7 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
   prefix template std::vector<Separator> Published_policies::find_separators<Surface>(                                 \
       const Surface&, const Options&, Skeletonization_report&, const Progress&) const;                                 \
   prefix template Published_policies::Packing Published_policies::pack_separators<Surface>(                            \
-      const Surface&, const std::vector<Separator>&, Skeletonization_report&) const;                                   \
+      const Surface&, std::vector<Separator>&, Skeletonization_report&) const;                                         \
   prefix template Embedded_skeleton Published_policies::build_skeleton<Surface>(                                       \
       const Surface&, const std::vector<Separator>&, const Packing&, Skeletonization_report&) const;
 CSCD_PUBLISHED_POLICIES_INSTANCE(extern, Triangulated_solid)

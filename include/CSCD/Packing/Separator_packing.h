@@ -212,7 +212,7 @@ public:
   /// Prepares to pack `separators`, whose costs are `costs`; both the surface and the separators are referred to.
   Disjoint_separators(const Triangulated_surface& surface, const std::vector<Separator>& separators,
                       const std::vector<double>& costs)
-      : m_separators(separators), m_arrangement(surface), m_order(separators.size())
+      : m_separators(separators), m_arrangement(surface), m_order(costs.size())
   {
     std::iota(m_order.begin(), m_order.end(), Index(0));
     std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) { return costs[a] < costs[b]; });
@@ -339,7 +339,18 @@ public:
     }
   }
 
-  /// The packed separators, as positions in the list of all separators, by increasing cost.
+  /// Packs the `separators` at the positions `packed` except those that cross an earlier one.
+  Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+                    const std::vector<Index>& packed)
+      : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, {})
+  {
+    for (Index separator : packed) {
+      m_disjoint.insert(separator);
+    }
+    cut_again();
+  }
+
+  /// The packed separators, as positions in the list of all separators, in the order of packing.
   const std::vector<Index>& packed() const { return m_disjoint.packed(); }
   /// The surface cut along them.
   const Cut_graph& cut_graph() const { return *m_cut_graph; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The packing stage of the default engine: packs separators, and cuts the handles that no separator cuts.
+// Cuts the handles that no packed separator cuts. With it, the packing stage of the default engine.
 
 #ifndef CSCD_PACKING_CUT_HANDLES_H
 #define CSCD_PACKING_CUT_HANDLES_H
@@ -271,6 +271,16 @@ private:
   std::vector<double> m_room; ///< of each halfedge, the position of the first separator that crosses it
 };
 
+/// Packs separators around handles that no packed one cuts, and appends them to `separators`; counts them in `report`.
+inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing,
+                        Skeletonization_report& report)
+{
+  report.number_of_handle_cuts = Handle_cutting(solid.triangulation(), separators, packing)();
+  for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
+    mark_open(solid, separators[i]);
+  }
+}
+
 /// Packs `separators` and cuts the surface along the packed ones. Appends separators around handles that no source has
 /// found.
 inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulated_solid& solid, const Detail& detail,
@@ -279,10 +289,7 @@ inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulat
 {
   auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
                                                      detail.min_branch_area_ratio());
-  report.number_of_handle_cuts = Handle_cutting(solid.triangulation(), separators, *packing)();
-  for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
-    mark_open(solid, separators[i]);
-  }
+  cut_handles(solid, separators, *packing, report);
   return packing;
 }
 

@@ -103,8 +103,8 @@ enum class Weight_rule
 /// Where the published method places nodes.
 enum class Placement_rule
 {
-  centroids, ///< at the centroids of regions by area (algorithm 2, line 13)
-  sections   ///< as the local method: in the middle of sections across branches, with tips; on meshes only
+  sections, ///< as the local method, in the middle of sections across branches, with tips; among points at centroids
+  centroids ///< at the centroids of regions by area (algorithm 2, line 13)
 };
 
 /// Settings of the search for separators from distance fields, their packing, and nodes.
@@ -129,19 +129,20 @@ struct Field_search_settings
   /// Which of two separators that overlap is packed.
   Weight_rule weight_rule = Weight_rule::balance_and_roundness;
   /// Where nodes are placed.
-  Placement_rule placement_rule = Placement_rule::centroids;
+  Placement_rule placement_rule = Placement_rule::sections;
   /// Whether distances are computed on coarse levels of detail, from sources in their faces, and loops carried to the
   /// finest level and shortened again there (supplement, K.2); on meshes only.
   bool is_multiscale = false;
 
   /// The algorithms as printed where those of the default differ: targets on the cut locus, sources one by one, overlap
-  /// by crossings.
+  /// by crossings, nodes at centroids.
   static Field_search_settings literal()
   {
     Field_search_settings settings;
     settings.cut_locus_rule = Cut_locus_rule::tree;
     settings.sampling_rule = Sampling_rule::one_by_one;
     settings.overlap_rule = Overlap_rule::crossing;
+    settings.placement_rule = Placement_rule::centroids;
     return settings;
   }
 };

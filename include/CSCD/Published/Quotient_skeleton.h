@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -185,11 +184,8 @@ template <class Surface>
 class Quotient_skeleton_builder
 {
 public:
-  /// \param place_nodes is called with the nodes of all regions, joined, to place some of them otherwise
-  Quotient_skeleton_builder(const Surface& surface, const Separator_regions& regions,
-                            std::function<void(Skeleton_builder&)> place_nodes = nullptr)
-      : m_surface(surface), m_triangulation(surface.triangulation()), m_regions(regions),
-        m_place_nodes(std::move(place_nodes))
+  Quotient_skeleton_builder(const Surface& surface, const Separator_regions& regions)
+      : m_surface(surface), m_triangulation(surface.triangulation()), m_regions(regions)
   {
   }
 
@@ -201,9 +197,6 @@ public:
     for (const std::vector<Index>& meeting :
          region_meetings(m_surface, [this](Index vertex) { return m_regions[vertex]; })) {
       connect(builder, meeting);
-    }
-    if (m_place_nodes) {
-      m_place_nodes(builder);
     }
     finish_skeleton(m_surface, m_regions, builder, report);
     assign_vertices(result);
@@ -324,7 +317,6 @@ private:
   const Surface& m_surface;
   const Triangulation& m_triangulation;
   const Separator_regions& m_regions;
-  std::function<void(Skeleton_builder&)> m_place_nodes;
   std::vector<double> m_area;
 };
 

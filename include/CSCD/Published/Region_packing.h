@@ -7,6 +7,7 @@
 #define CSCD_PUBLISHED_REGION_PACKING_H
 
 #include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Surface_path.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -478,32 +480,34 @@ void check_overlap_rule(Overlap_rule rule)
   }
 }
 
-/// Packed separators, and the regions of the surface that are nearest to them.
+/// Packed separators, and the regions of the surface that are nearest to them or the surface cut along them.
 class Region_packing
 {
 public:
-  /// Weighs, prunes and packs `separators` by the rules of `settings`; counts in `report`.
-  /// \throw Input_error if the overlap rule is not one for the surface
-  /// \tparam Surface a model of `SkeletonizationSurface`
-  template <class Surface>
-  Region_packing(const Surface& surface, const std::vector<Separator>& separators,
-                 const Field_search_settings& settings, Skeletonization_report& report)
-      : Region_packing(surface, separators, pack(surface, separators, settings, report), settings.overlap_rule)
-  {
-  }
   /// Packs the `separators` at the positions `packed`; no two of these overlap by `rule`.
   template <class Surface>
   Region_packing(const Surface& surface, const std::vector<Separator>& separators, std::vector<Index> packed,
                  Overlap_rule rule = Overlap_rule::nearest_vertex)
-      : m_packed(std::move(packed)), m_regions(surface.triangulation(), separators, m_packed, rule)
+      : m_packed(std::move(packed)), m_regions(std::in_place, surface.triangulation(), separators, m_packed, rule)
+  {
+  }
+  /// Packs the separators that `packing` has packed, with the surface that it has cut.
+  explicit Region_packing(const Separator_packing& packing)
+      : m_packed(packing.packed()), m_cut_graph(packing.cut_graph())
   {
   }
 
   /// The packed separators, as positions in the list of all separators, the first packed first.
   const std::vector<Index>& packed() const { return m_packed; }
-  const Separator_regions& regions() const { return m_regions; }
+  /// The surface cut along them, or none.
+  const std::optional<Cut_graph>& cut_graph() const { return m_cut_graph; }
+  /// \pre the surface is not cut
+  const Separator_regions& regions() const { return *m_regions; }
 
-private:
+  /// Weighs, prunes and packs `separators` by the rules of `settings`; counts in `report`.
+  /// \return the packed ones, as positions, the first packed first
+  /// \throw Input_error if the overlap rule is not one for the surface
+  /// \tparam Surface a model of `SkeletonizationSurface`
   template <class Surface>
   static std::vector<Index> pack(const Surface& surface, const std::vector<Separator>& separators,
                                  const Field_search_settings& settings, Skeletonization_report& report)
@@ -531,6 +535,7 @@ private:
     return pack_by_overlap(overlaps, weights);
   }
 
+private:
   /// Sets the weights of separators that cross themselves in a face to 0. Linear in the number of crossings.
   template <class Triangulation>
   static void drop_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators,
@@ -588,7 +593,8 @@ private:
   }
 
   std::vector<Index> m_packed;
-  Separator_regions m_regions;
+  std::optional<Separator_regions> m_regions;
+  std::optional<Cut_graph> m_cut_graph;
 };
 
 } // namespace CSCD::internal

@@ -89,12 +89,11 @@ class Junction_centering
 public:
   Junction_centering(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder) {}
 
-  /// Moves every junction or, if `is_on_sheets`, the junctions on sheets, at most by the maximal radius around it.
-  void operator()(bool is_on_sheets = false)
+  /// Moves every junction, at most by the maximal radius around it.
+  void operator()()
   {
     for (Index node = 0; node < m_builder.size(); ++node) {
-      if (m_builder.is_junction(node) && (!is_on_sheets || m_builder[node].is_on_sheet) &&
-          m_solid.is_inside(m_builder[node].position)) {
+      if (m_builder.is_junction(node) && m_solid.is_inside(m_builder[node].position)) {
         center(node);
       }
     }
