@@ -79,7 +79,7 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
     separators.push_back(
         CSCD::test::section_separator(solid.surface(), point, {-std::sin(angle), std::cos(angle), 0}, point));
   }
-  const CSCD::internal::Separator_packing packing(solid.surface(), separators, {1, 1, 1, 1});
+  const CSCD::internal::Separator_packing packing(solid.surface(), separators, std::vector<double>(4, 1));
   CSCD::Skeletonization_report report;
   const CSCD::Embedded_skeleton skeleton =
       CSCD::internal::embed_skeleton(*solid, separators, packing.packed(), packing.cut_graph(), 0, report);
