@@ -27,7 +27,7 @@ points=data/points_3/kitten.xyz
 source "$source_dir/cmake/install_packages.sh"
 install_packages "${library_packages[@]}"
 
-# What a build folder already has stays: tests, benchmarks, methods.
+# A build folder keeps the tests, benchmarks and methods that it has.
 configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja)
 if [[ ! -e $build_dir/CMakeCache.txt ]]; then
   configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF -DCSCD_WITH_ALL_METHODS=OFF)

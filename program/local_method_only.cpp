@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a program has in place of the other methods and of wraps.
+// The refusals of a program without the other methods and wraps.
 
 #include "other_methods.h"
 

@@ -10,6 +10,7 @@
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
+#include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Surface_levels.h>
@@ -233,12 +234,10 @@ private:
   Vector3 point_inside(const Vector3& point, const Polygon_measures& curve) const
   {
     constexpr double relative_distance = 1.5; // from the center
-    constexpr double relative_offset = 1e-9;  // of the ray from the surface, in the unit of its area
     const Surface_point foot = m_cut.solid.closest_point(curve.center + relative_distance * (point - curve.center));
     const Vector3 inward = -m_cut.solid.query_surface().face_vector(foot.face).normalized();
-    const std::optional<Surface_hit> hit = m_cut.solid.first_hit(foot.point + relative_offset * inward, inward);
     const double radius = curve.length / (2 * boost::math::double_constants::pi);
-    return foot.point + (hit ? std::min(hit->distance / 2, radius) : 0) * inward;
+    return foot.point + depth_below(m_cut.solid, foot.point, inward, radius).value_or(0) * inward;
   }
 
   const Cut_solid& m_cut;

@@ -23,6 +23,17 @@
 
 namespace CSCD::internal {
 
+/// How deep the middle of the body is below `point` of the surface, at most `max_depth`; none at a face without area,
+/// or where two lie upon each other. \param inward the direction, of unit length, or zero without an area
+inline std::optional<double> depth_below(const Triangulated_solid& solid, const Vector3& point, const Vector3& inward,
+                                         double max_depth)
+{
+  constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
+  const std::optional<Surface_hit> hit =
+      inward.squaredNorm() > 0 ? solid.first_hit(point + relative_offset * inward, inward) : std::nullopt;
+  return hit ? std::optional<double>(std::min(hit->distance / 2, max_depth)) : std::nullopt;
+}
+
 /// Finds ways inside a body around its notches and holes: along its surface, and as far below it as there is room.
 class Way_inside
 {
@@ -149,18 +160,9 @@ private:
   /// body is thicker; or as many times nearer.
   std::optional<Vector3> below(const Start& start, int halvings)
   {
-    constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
     count_work();
-    if (!(start.inward.squaredNorm() > 0)) {
-      return std::nullopt; // at a face without area, or where two lie upon each other
-    }
-    const std::optional<Surface_hit> hit =
-        m_solid.first_hit(start.point + relative_offset * start.inward, start.inward);
-    if (!hit) {
-      return std::nullopt;
-    }
-    const double depth = std::min(hit->distance / 2, m_max_depth);
-    return Vector3(start.point + std::ldexp(depth, -halvings) * start.inward);
+    const std::optional<double> depth = depth_below(m_solid, start.point, start.inward, m_max_depth);
+    return depth ? std::optional<Vector3>(start.point + std::ldexp(*depth, -halvings) * start.inward) : std::nullopt;
   }
 
   /// Whether the segment is free in both directions: along faces that touch, the answers may differ.
