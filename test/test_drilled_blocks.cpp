@@ -139,8 +139,8 @@ TEST(Drilled_blocks, have_a_cycle_around_the_hole)
       }
     }
   }
-  // Where several separators cut the handle, the cycle may pass by the hole: 35 are right.
-  EXPECT_GE(number_right, 34u) << "of " << number;
+  // A separator around the block that the hole passes is not always recognized: 51 are right.
+  EXPECT_GE(number_right, 50u) << "of " << number;
 }
 
 } // namespace

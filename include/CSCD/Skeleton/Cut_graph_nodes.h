@@ -17,7 +17,6 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -27,7 +26,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -117,26 +115,25 @@ class Handle_cycle
 public:
   /// O(n) for n edges of the surface. \param cut is referred to
   explicit Handle_cycle(const Cut_solid& cut)
-      : m_cut(cut), m_surface(cut.solid.triangulation()), m_is_cut(m_surface.number_of_halfedges(), 0),
-        m_search(m_surface.number_of_vertices()), m_entered(m_surface.number_of_vertices(), no_index)
+      : m_cut(cut), m_loops(cut.solid.triangulation(), cut.all_separators, cut.packed, cut.cut_graph)
   {
-    for (Index i = 0; i < cut.packed.size(); ++i) {
-      for (const Edge_crossing& crossing : cut.separator(i).crossings) {
-        m_is_cut[m_surface.edge(crossing.halfedge)] = 1;
-      }
-    }
   }
 
   /// Points inside the body on the cycle through the separator at position `i`, in order, the first one next to it. The
-  /// cycle follows the shortest way on the surface from one side of the separator to the other or, if the separator
-  /// rather than this way surrounds a hole, the separator. O(n log n) for n vertices nearer than the way is long.
+  /// cycle follows the shortest loop on the surface across the separator or, if the separator rather than this loop
+  /// surrounds a hole, the separator. O(n log n) for n vertices nearer than the loop is long.
   std::vector<Vector3> operator()(Index i)
   {
+    const Triangulated_surface& surface = m_cut.solid.triangulation();
     std::vector<Vector3> outline;
-    crossing_points(m_surface, m_cut.separator(i).crossings, outline);
-    const std::vector<Vector3> way = shortest_way(i);
-    const bool is_along_separator = way.empty() || inside_share(outline) < inside_share(way);
-    return points_inside(is_along_separator ? outline : way);
+    crossing_points(surface, m_cut.separator(i).crossings, outline);
+    std::vector<Vector3> loop;
+    for (const Index vertex : m_loops.find(i, false, std::numeric_limits<float>::infinity()).vertices) {
+      loop.push_back(surface.point(vertex));
+    }
+    // A loop of one or two vertices surrounds nothing.
+    const bool is_along_separator = inside_share(outline) < (loop.size() < 3 ? 1 : inside_share(loop));
+    return points_inside(is_along_separator ? outline : loop);
   }
 
 private:
@@ -147,67 +144,6 @@ private:
   double inside_share(const std::vector<Vector3>& curve) const
   {
     return span_inside_share(m_cut.solid, curve, measure_polygon(curve).center);
-  }
-
-  /// For each vertex next to the separator at position `i`, on its left side or else on its right side, the nearest
-  /// crossing.
-  std::map<Index, Vector3> side(Index i, bool is_left) const
-  {
-    std::map<Index, Vector3> result;
-    for (const Edge_crossing& crossing : m_cut.separator(i).crossings) {
-      const Index h = crossing.halfedge;
-      const Index vertex = is_left ? m_surface.target(h) : m_surface.origin(h);
-      const Vector3 point = crossing_point(m_surface, crossing);
-      if (m_cut.cut_graph.piece_of_vertex(vertex) == m_cut.cut_graph.sides(i).left) {
-        Vector3& nearest = result.emplace(vertex, point).first->second;
-        nearest = distance(vertex, point) < distance(vertex, nearest) ? point : nearest;
-      }
-    }
-    return result;
-  }
-
-  float distance(Index vertex, const Vector3& point) const { return float((m_surface.point(vertex) - point).norm()); }
-
-  /// The points of the shortest way along edges that no separator crosses, from the left to the right side of the
-  /// separator at position `i`; none without such edges.
-  std::vector<Vector3> shortest_way(Index i)
-  {
-    const std::map<Index, Vector3> starts = side(i, true);
-    const std::map<Index, Vector3> ends = side(i, false);
-    m_search.clear();
-    for (const auto& [vertex, point] : starts) {
-      m_search.reach(vertex, distance(vertex, point));
-      m_entered[vertex] = no_index;
-    }
-    Index end = no_index;
-    float length = std::numeric_limits<float>::infinity();
-    m_search.spread([&](Index vertex, float to_vertex) {
-      const auto found = ends.find(vertex);
-      if (found != ends.end() && to_vertex + distance(vertex, found->second) < length) {
-        end = vertex;
-        length = to_vertex + distance(vertex, found->second);
-      }
-      if (to_vertex >= length) {
-        m_search.clear();
-        return;
-      }
-      for (const Index h : m_surface.outgoing(vertex)) {
-        if (m_is_cut[m_surface.edge(h)] == 0 &&
-            m_search.reach(m_surface.target(h), to_vertex + float(m_surface.length(h)))) {
-          m_entered[m_surface.target(h)] = h;
-        }
-      }
-    });
-    if (end == no_index) {
-      return {};
-    }
-    std::vector<Vector3> result{ends.at(end), m_surface.point(end)};
-    Index vertex = end;
-    for (; m_entered[vertex] != no_index; result.push_back(m_surface.point(vertex))) {
-      vertex = m_surface.origin(m_entered[vertex]);
-    }
-    result.push_back(starts.at(vertex));
-    return result;
   }
 
   /// Points near those that divide the closed `curve` around a hole into parts of equal length.
@@ -241,10 +177,7 @@ private:
   }
 
   const Cut_solid& m_cut;
-  const Triangulated_surface& m_surface;
-  std::vector<char> m_is_cut;   ///< whether a separator crosses an edge; by its number
-  Dijkstra_search m_search;     ///< over vertices
-  std::vector<Index> m_entered; ///< for each reached vertex, the halfedge on the way to it
+  Loops_across m_loops;
 };
 
 /// Adds the nodes of separators, joins them where a piece lies between two, and adds a junction in each piece that has
