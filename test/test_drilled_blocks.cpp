@@ -69,9 +69,9 @@ Shape triangulated(const Block& block)
   return CSCD::test::prism("drilled block", points, triangles);
 }
 
-/// How often the only cycle of `skeleton` leads around the hole of `block`. \pre all its nodes have degree 2, or are on
-/// branches of their own
-double turns_around_hole(const CSCD::Skeleton& skeleton, const Block& block)
+/// The nodes of the only cycle of `skeleton`, in order. \pre all its nodes have degree 2, or are on branches of their
+/// own
+std::vector<Vector3> cycle_of(const CSCD::Skeleton& skeleton)
 {
   std::vector<std::vector<Index>> neighbors(skeleton.points.size());
   for (const auto& [a, b] : skeleton.edges) {
@@ -93,20 +93,40 @@ double turns_around_hole(const CSCD::Skeleton& skeleton, const Block& block)
   while (neighbors[first].empty()) {
     ++first;
   }
-  double angle = 0;
+  std::vector<Vector3> cycle{skeleton.points[first]};
   Index last = first;
-  Index node = neighbors[first].front();
-  for (bool is_closed = false; !is_closed; is_closed = last == first) {
-    const Vector3 a = skeleton.points[last] - Vector3(block.x, block.y, 0);
-    const Vector3 b = skeleton.points[node] - Vector3(block.x, block.y, 0);
-    angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
+  for (Index node = neighbors[first].front(); node != first;) {
+    cycle.push_back(skeleton.points[node]);
     const Index next = neighbors[node].front() == last ? neighbors[node].back() : neighbors[node].front();
     last = node;
     node = next;
   }
+  return cycle;
+}
+
+/// How often `cycle` leads around the hole of `block`.
+double turns_around_hole(const std::vector<Vector3>& cycle, const Block& block)
+{
+  double angle = 0;
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const Vector3 a = cycle[i] - Vector3(block.x, block.y, 0);
+    const Vector3 b = cycle[(i + 1) % cycle.size()] - Vector3(block.x, block.y, 0);
+    angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
+  }
   return angle / (2 * std::acos(-1.));
 }
 
+/// The mean height of the nodes of `cycle`.
+double height(const std::vector<Vector3>& cycle)
+{
+  double sum = 0;
+  for (const Vector3& point : cycle) {
+    sum += point.z();
+  }
+  return sum / double(cycle.size());
+}
+
+/// Whether the cycle leads around the hole of `block`, half way through it.
 bool has_cycle_around_hole(const Block& block)
 {
   const Shape shape = triangulated(block);
@@ -122,7 +142,8 @@ bool has_cycle_around_hole(const Block& block)
   const CSCD::Skeletonization_report report = CSCD::skeletonize(points, faces, CSCD::Options(), skeleton);
   EXPECT_EQ(report.betti_number, 1u);
   EXPECT_EQ(report.number_of_edges_outside, 0u);
-  return std::abs(std::abs(turns_around_hole(skeleton, block)) - 1) < 1e-6;
+  const std::vector<Vector3> cycle = cycle_of(skeleton);
+  return std::abs(std::abs(turns_around_hole(cycle, block)) - 1) < 1e-6 && std::abs(height(cycle) - 0.5) < 0.1;
 }
 
 TEST(Drilled_blocks, have_a_cycle_around_the_hole)
@@ -139,8 +160,8 @@ TEST(Drilled_blocks, have_a_cycle_around_the_hole)
       }
     }
   }
-  // A separator around the block that the hole passes is not always recognized: 51 are right.
-  EXPECT_GE(number_right, 50u) << "of " << number;
+  // A separator around the block that the hole passes is not always recognized: 49 are right.
+  EXPECT_GE(number_right, 48u) << "of " << number;
 }
 
 } // namespace

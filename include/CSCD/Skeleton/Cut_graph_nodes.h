@@ -162,7 +162,34 @@ private:
       }
       passed += length;
     }
+    move_to_middle(measures, result);
     return result;
+  }
+
+  /// Moves `cycle` along the axis of `curve`, a loop anywhere along a hole, to the middle of the way that is free for
+  /// all of its points, and for the center in the hole.
+  void move_to_middle(const Polygon_measures& curve, std::vector<Vector3>& cycle) const
+  {
+    const Vector3 axis = curve.vector_area.normalized();
+    if (!(axis.squaredNorm() > 0)) {
+      return;
+    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto free_way = [&](const Vector3& point, const Vector3& direction) {
+      const std::optional<Surface_hit> hit = m_cut.solid.first_hit(point, direction);
+      return hit ? hit->distance : infinity;
+    };
+    double forth = free_way(curve.center, axis);
+    double back = free_way(curve.center, -axis);
+    for (const Vector3& point : cycle) {
+      forth = std::min(forth, free_way(point, axis));
+      back = std::min(back, free_way(point, -axis));
+    }
+    if (forth < infinity && back < infinity) {
+      for (Vector3& point : cycle) {
+        point += (forth - back) / 2 * axis;
+      }
+    }
   }
 
   /// A point inside the body near `point` of a curve around a hole, at most as far from the surface as the curve from
