@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <queue>
 #include <tuple>
 #include <vector>
 
@@ -89,48 +88,33 @@ double merge_score(const Merge_features& features);
 class Part_merging
 {
 public:
-  explicit Part_merging(const Slice_graph& graph) : m_graph(graph), m_boundaries(graph.boundaries)
+  explicit Part_merging(const Slice_graph& graph) : m_graph(graph)
   {
-    m_parts.resize(graph.slices.size());
-    for (Index s = 0; s < m_parts.size(); ++s) {
-      m_parts[s].slices = {s};
-      m_parts[s].area = graph.slices[s].area;
-      m_parts[s].log_diameter = graph.slices[s].area * graph.slices[s].log_diameter;
+    for (Index s = 0; s < graph.slices.size(); ++s) {
+      const Surface_slice& slice = graph.slices[s];
+      m_parts.push_back({{s}, slice.area, slice.area * slice.log_diameter});
     }
-    for (Index b = 0; b < m_boundaries.size(); ++b) {
-      const auto [s, t] = graph.neighbors[b];
-      m_parts[s].boundaries[t] = b;
-      m_parts[t].boundaries[s] = b;
-      m_parts[s].boundary_length += m_boundaries[b].length;
-      m_parts[t].boundary_length += m_boundaries[b].length;
+    for (std::size_t b = 0; b < graph.boundaries.size(); ++b) {
+      m_borders.push_back({graph.neighbors[b], graph.boundaries[b]});
+      for (const Index s : graph.neighbors[b]) {
+        m_parts[s].boundary_length += graph.boundaries[b].length;
+      }
     }
-    m_number_of_parts = m_parts.size();
   }
 
   /// Merges until no two parts have a positive score, or, if `number_of_parts` is not 0, until there are so many.
-  /// O(s^2 log s) for s slices where parts have few neighbors.
+  /// O(s^2) for s slices where parts have few neighbors.
   void run(std::size_t number_of_parts)
   {
-    for (Index p = 0; p < m_parts.size(); ++p) {
-      for (const auto& [neighbor, boundary] : m_parts[p].boundaries) {
-        if (p < neighbor) {
-          propose(p, neighbor, boundary);
-        }
-      }
+    for (Border& border : m_borders) {
+      border.score = merge_score(features(border));
     }
-    while (!m_candidates.empty() && (number_of_parts == 0 || m_number_of_parts > number_of_parts)) {
-      const Candidate best = m_candidates.top();
-      m_candidates.pop();
-      if (!is_current(best)) {
-        continue;
-      }
+    for (std::size_t left = m_parts.size(); left > number_of_parts && !m_borders.empty(); --left) {
+      const Border best = *std::max_element(m_borders.begin(), m_borders.end());
       if (number_of_parts == 0 && best.score <= 0) {
         break;
       }
-      merge(best.first, best.second);
-      for (const auto& [neighbor, boundary] : m_parts[best.first].boundaries) {
-        propose(std::min(best.first, neighbor), std::max(best.first, neighbor), boundary);
-      }
+      merge(best);
     }
   }
 
@@ -153,24 +137,18 @@ private:
     double area = 0;
     double log_diameter = 0; // integral over the area
     double boundary_length = 0;
-    std::map<Index, Index> boundaries; // by neighbors
-    std::size_t version = 0;
 
     double mean_log_diameter() const { return log_diameter / area; }
   };
 
-  struct Candidate
+  /// Where two parts touch.
+  struct Border
   {
-    double score;
-    Index first;
-    Index second;
-    std::size_t first_version;
-    std::size_t second_version;
+    std::array<Index, 2> parts; // the smaller number first
+    Part_boundary boundary;
+    double score = 0;
 
-    bool operator<(const Candidate& other) const
-    {
-      return std::tie(score, other.first, other.second) < std::tie(other.score, first, second);
-    }
+    bool operator<(const Border& other) const { return std::tie(score, other.parts) < std::tie(other.score, parts); }
   };
 
   /// The mean place of the nodes of a part near a boundary, and the mean logarithm of its diameter there.
@@ -184,19 +162,6 @@ private:
   // Of the local radius: how far the vicinity of a boundary reaches, and how far a junction there may be.
   static constexpr double vicinity_reach = 3;
   static constexpr double junction_reach = 1.5;
-
-  bool is_current(const Candidate& candidate) const
-  {
-    const Part& first = m_parts[candidate.first];
-    const Part& second = m_parts[candidate.second];
-    return first.version == candidate.first_version && second.version == candidate.second_version;
-  }
-
-  void propose(Index first, Index second, Index boundary)
-  {
-    const double value = merge_score(features(m_parts[first], m_parts[second], m_boundaries[boundary]));
-    m_candidates.push({value, first, second, m_parts[first].version, m_parts[second].version});
-  }
 
   Vicinity vicinity(const Part& part, const Vector3& center, double radius) const
   {
@@ -225,8 +190,11 @@ private:
     return result;
   }
 
-  Merge_features features(const Part& first, const Part& second, const Part_boundary& boundary) const
+  Merge_features features(const Border& border) const
   {
+    const Part& first = m_parts[border.parts[0]];
+    const Part& second = m_parts[border.parts[1]];
+    const Part_boundary& boundary = border.boundary;
     const bool is_first_smaller = first.area < second.area;
     const Part& smaller = is_first_smaller ? first : second;
     const Part& larger = is_first_smaller ? second : first;
@@ -262,38 +230,39 @@ private:
     return result;
   }
 
-  void merge(Index to, Index from)
+  /// Merges both parts of `border` into the first.
+  void merge(const Border& border)
   {
+    const auto [to, from] = border.parts;
     Part& result = m_parts[to];
     Part& other = m_parts[from];
-    const double common_length = m_boundaries[result.boundaries.at(from)].length;
     result.slices.insert(result.slices.end(), other.slices.begin(), other.slices.end());
     result.area += other.area;
     result.log_diameter += other.log_diameter;
-    result.boundary_length += other.boundary_length - 2 * common_length;
-    result.boundaries.erase(from);
-    other.boundaries.erase(to);
-    for (const auto& [neighbor, boundary] : other.boundaries) {
-      m_parts[neighbor].boundaries.erase(from);
-      const auto [place, is_new] = result.boundaries.emplace(neighbor, boundary);
-      if (is_new) {
-        m_parts[neighbor].boundaries[to] = boundary;
-      } else {
-        m_boundaries[place->second].add(m_boundaries[boundary]);
-      }
-    }
-    other.boundaries.clear();
+    result.boundary_length += other.boundary_length - 2 * border.boundary.length;
     other.slices.clear();
-    ++result.version;
-    ++other.version;
-    --m_number_of_parts;
+    // The borders of the result with its neighbors; where both parts had one, the sums of both.
+    std::map<Index, Part_boundary> boundaries;
+    const auto is_merged = [to = to, from = from](Index part) { return part == to || part == from; };
+    const auto first = std::partition(m_borders.begin(), m_borders.end(), [&](const Border& its) {
+      return !is_merged(its.parts[0]) && !is_merged(its.parts[1]);
+    });
+    std::for_each(first, m_borders.end(), [&](const Border& its) {
+      const Index neighbor = its.parts[is_merged(its.parts[0]) ? 1 : 0];
+      if (!is_merged(neighbor)) {
+        boundaries[neighbor].add(its.boundary);
+      }
+    });
+    m_borders.erase(first, m_borders.end());
+    for (const auto& [neighbor, boundary] : boundaries) {
+      m_borders.push_back({{std::min(to, neighbor), std::max(to, neighbor)}, boundary});
+      m_borders.back().score = merge_score(features(m_borders.back()));
+    }
   }
 
   const Slice_graph& m_graph;
-  std::vector<Part_boundary> m_boundaries;
   std::vector<Part> m_parts; // by their first slice
-  std::size_t m_number_of_parts = 0;
-  std::priority_queue<Candidate> m_candidates;
+  std::vector<Border> m_borders;
 };
 
 } // namespace CSCD::internal

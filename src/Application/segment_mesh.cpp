@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -87,51 +88,40 @@ std::vector<double> face_shape_diameters(const Skeletonized_surface& surface, st
 
 namespace {
 
-/// Numbers parts from 0 in the order of their first faces.
-/// \param part of each face, less than the number of faces
-void number_in_order(std::vector<Index>& part)
-{
-  std::vector<Index> number(part.size(), no_index);
-  Index next = 0;
-  for (Index& its : part) {
-    if (number[its] == no_index) {
-      number[its] = next++;
-    }
-    its = number[its];
-  }
-}
-
-} // namespace
-
-/// Lengths, angles and areas of a triangulated surface.
-class Face_geometry
+/// Cuts a surface into slices and measures their boundaries. Near linear.
+class Slice_cutting
 {
 public:
-  explicit Face_geometry(const Skeletonized_surface& surface) : m_surface(surface)
+  Slice_cutting(const Skeletonized_surface& surface, const std::vector<double>& diameters)
+      : m_surface(surface), m_areas(face_areas(surface.triangles)),
+        m_area(std::accumulate(m_areas.begin(), m_areas.end(), 0.))
   {
-    const std::size_t n = surface.triangles.faces.size();
-    normals.reserve(n);
-    areas.reserve(n);
-    for (const auto& [a, b, c] : surface.triangles.faces) {
-      const std::vector<Vector3>& points = surface.triangles.points;
-      const Vector3 normal = triangle_vector(points[a], points[b], points[c]);
-      normals.push_back(normal.normalized());
-      areas.push_back(normal.norm() / 2);
-      area += areas.back();
-    }
+    find_slices();
+    measure_slices(diameters);
+    find_boundaries();
+    add_turning_inside();
+    shorten_boundaries(); // measures stay as the weights of the score were fitted to them
   }
 
-  const Vector3& origin(Index halfedge) const
+  Slice_graph release() { return std::move(m_graph); }
+
+private:
+  const Vector3& corner(Index face, std::size_t i) const
   {
-    return m_surface.triangles.points[m_surface.triangles.faces[Halfedge_pairing::face(halfedge)][halfedge % 3]];
+    return m_surface.triangles.points[m_surface.triangles.faces[face][i]];
   }
+  const Vector3& origin(Index halfedge) const { return corner(Halfedge_pairing::face(halfedge), halfedge % 3); }
   Vector3 vector(Index halfedge) const { return origin(Halfedge_pairing::next(halfedge)) - origin(halfedge); }
+  Index face_behind(Index halfedge) const { return Halfedge_pairing::face(m_surface.pairing.twin(halfedge)); }
 
   /// By how much the normal turns across the edge of `halfedge`, in radians; positive where the surface is concave.
   double turning(Index halfedge) const
   {
-    const Vector3& here = normals[Halfedge_pairing::face(halfedge)];
-    const Vector3& there = normals[Halfedge_pairing::face(m_surface.pairing.twin(halfedge))];
+    const auto normal = [this](Index face) {
+      return triangle_vector(corner(face, 0), corner(face, 1), corner(face, 2)).normalized();
+    };
+    const Vector3 here = normal(Halfedge_pairing::face(halfedge));
+    const Vector3 there = normal(face_behind(halfedge));
     return -std::atan2(here.cross(there).dot(vector(halfedge).normalized()), here.dot(there));
   }
 
@@ -147,31 +137,6 @@ public:
     }
   }
 
-  std::vector<Vector3> normals;
-  std::vector<double> areas;
-  double area = 0; ///< of all faces
-
-private:
-  const Skeletonized_surface& m_surface;
-};
-
-/// Cuts a surface into slices and measures their boundaries. Near linear.
-class Slice_cutting
-{
-public:
-  Slice_cutting(const Skeletonized_surface& surface, const std::vector<double>& diameters)
-      : m_surface(surface), m_geometry(surface)
-  {
-    find_slices();
-    measure_slices(diameters);
-    find_boundaries();
-    add_turning_inside();
-    shorten_boundaries(); // measures stay as the weights of the score were fitted to them
-  }
-
-  Slice_graph release() { return std::move(m_graph); }
-
-private:
   /// The node of two corners of a face, else the nearest of three.
   Index node_of_face(Index face) const
   {
@@ -184,8 +149,7 @@ private:
     if (nodes[0] == nodes[1] || nodes[0] == nodes[2]) {
       return nodes[0];
     }
-    const std::vector<Vector3>& points = m_surface.triangles.points;
-    const Vector3 center = (points[corners[0]] + points[corners[1]] + points[corners[2]]) / 3;
+    const Vector3 center = (corner(face, 0) + corner(face, 1) + corner(face, 2)) / 3;
     const auto distance = [&](Index node) { return (m_surface.skeleton.points[node] - center).squaredNorm(); };
     return *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
   }
@@ -199,17 +163,15 @@ private:
       nodes.push_back(node_of_face(f));
     }
     Disjoint_sets sets(number_of_faces);
-    m_geometry.for_each_inner_edge([&](Index h) {
+    for_each_inner_edge([&](Index h) {
       const Index face = Halfedge_pairing::face(h);
-      const Index other = Halfedge_pairing::face(m_surface.pairing.twin(h));
+      const Index other = face_behind(h);
       if (nodes[face] == nodes[other]) {
         sets.join(face, other);
       }
     });
-    for (Index f = 0; f < number_of_faces; ++f) {
-      m_graph.slice.push_back(sets.find(f));
-    }
-    number_in_order(m_graph.slice);
+    Index number_of_slices = 0;
+    m_graph.slice = sets.numbers(number_of_slices);
     const std::vector<std::vector<Index>> neighbors = node_neighbors(m_surface.skeleton);
     for (Index f = 0; f < number_of_faces; ++f) {
       if (m_graph.slice[f] == m_graph.slices.size()) {
@@ -238,7 +200,7 @@ private:
       if (const auto [current_gain, slice] = better_slice(face); current_gain == gain) {
         m_graph.slice[face] = slice;
         for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-          propose(Halfedge_pairing::face(m_surface.pairing.twin(h)));
+          propose(face_behind(h));
         }
       }
     }
@@ -263,7 +225,7 @@ private:
       }
       const bool is_own = slice == m_graph.slice[face];
       number_of_own += is_own ? 1 : 0;
-      gain += (is_own ? -1 : 1) * m_geometry.vector(h).norm();
+      gain += (is_own ? -1 : 1) * vector(h).norm();
       other = is_own ? other : slice;
     }
     return number_of_own == 1 ? std::pair(gain, other) : none;
@@ -273,11 +235,11 @@ private:
   {
     // A zero area or thickness counts as a negligible one, so that all logarithms are finite.
     constexpr double negligible = 1e-9;
-    const double min_area = negligible * m_geometry.area / double(diameters.size());
-    const double min_diameter = negligible * std::sqrt(m_geometry.area);
+    const double min_area = negligible * m_area / double(diameters.size());
+    const double min_diameter = negligible * std::sqrt(m_area);
     for (Index f = 0; f < diameters.size(); ++f) {
       Surface_slice& slice = m_graph.slices[m_graph.slice[f]];
-      const double area = std::max(m_geometry.areas[f], min_area);
+      const double area = std::max(m_areas[f], min_area);
       slice.area += area;
       slice.log_diameter += area * std::log(std::max(diameters[f], min_diameter));
       m_graph.area += area;
@@ -290,12 +252,12 @@ private:
   /// Adds the turning of the surface across an edge, so far as it turns along `direction`.
   void add_turning(Index halfedge, const Vector3& direction, double share, Part_boundary& boundary) const
   {
-    const Vector3 edge = m_geometry.vector(halfedge);
+    const Vector3 edge = vector(halfedge);
     const double length = edge.norm();
     const double along = edge.normalized().dot(direction);
-    const double turning = m_geometry.turning(halfedge) * length * share * (1 - along * along);
-    boundary.turning += turning;
-    boundary.concave_turning += std::max(0., turning);
+    const double its_turning = turning(halfedge) * length * share * (1 - along * along);
+    boundary.turning += its_turning;
+    boundary.concave_turning += std::max(0., its_turning);
   }
 
   Vector3 direction(Index from, Index to) const
@@ -307,9 +269,9 @@ private:
   {
     m_inner_edges.resize(m_graph.slices.size());
     std::map<std::array<Index, 2>, Index> number_of;
-    m_geometry.for_each_inner_edge([&](Index h) {
+    for_each_inner_edge([&](Index h) {
       const Index first = m_graph.slice[Halfedge_pairing::face(h)];
-      const Index second = m_graph.slice[Halfedge_pairing::face(m_surface.pairing.twin(h))];
+      const Index second = m_graph.slice[face_behind(h)];
       if (first == second) {
         m_inner_edges[first].push_back(h);
         return;
@@ -321,9 +283,9 @@ private:
         m_graph.boundaries.emplace_back();
       }
       Part_boundary& boundary = m_graph.boundaries[place->second];
-      const double length = std::max(m_geometry.vector(h).norm(), std::numeric_limits<double>::min());
+      const double length = std::max(vector(h).norm(), std::numeric_limits<double>::min());
       boundary.length += length;
-      boundary.moment += length * (m_geometry.origin(h) + m_geometry.vector(h) / 2);
+      boundary.moment += length * (origin(h) + vector(h) / 2);
       boundary.log_diameter += length * (m_graph.slices[first].log_diameter + m_graph.slices[second].log_diameter) / 2;
       add_turning(h, direction(pair[0], pair[1]), 1, boundary);
     });
@@ -350,7 +312,8 @@ private:
   }
 
   const Skeletonized_surface& m_surface;
-  Face_geometry m_geometry;
+  std::vector<double> m_areas; // of the faces
+  double m_area;               // of all of them
   Slice_graph m_graph;
   std::vector<std::vector<Index>> m_inner_edges; // of each slice
 };
@@ -391,6 +354,8 @@ constexpr std::array<double, number_of_merge_features*(number_of_merge_features 
 
 /// @}
 
+} // namespace
+
 double merge_score(const Merge_features& features)
 {
   constexpr double greatest = 3; // normalized features beyond this were too rare to be fitted
@@ -416,13 +381,16 @@ std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::siz
   Part_merging merging(graph);
   merging.run(number_of_parts);
   const std::vector<Index> part_of_slices = merging.part_of_slices();
-  std::vector<Index> parts;
-  parts.reserve(graph.slice.size());
+  std::vector<Index> number(graph.slices.size(), no_index); // of the parts, in the order of their first faces
+  Index next = 0;
+  std::vector<Index> result;
+  result.reserve(graph.slice.size());
   for (const Index slice : graph.slice) {
-    parts.push_back(part_of_slices[slice]);
+    Index& its_number = number[part_of_slices[slice]];
+    its_number = its_number == no_index ? next++ : its_number;
+    result.push_back(its_number);
   }
-  number_in_order(parts);
-  return parts;
+  return result;
 }
 
 } // namespace CSCD::internal
