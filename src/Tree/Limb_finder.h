@@ -63,7 +63,7 @@ class Slice_growth
 public:
   Slice_growth(const std::vector<Vector3>& points, const Neighbor_graph& graph, const Root_distances& distances)
       : m_points(points), m_graph(graph), m_distances(distances), m_slice_of_point(points.size(), no_index),
-        m_group(points.size(), no_index), m_children(points.size(), [&](const auto& add) {
+        m_place(points.size(), no_index), m_children(points.size(), [&](const auto& add) {
           for (Index point = 0; point < points.size(); ++point) {
             if (distances.parent(point) != no_index) {
               add(distances.parent(point), point);
@@ -94,8 +94,6 @@ private:
   static constexpr double width_in_radii = 1;
   /// How far back points still connect those of a band, relative to its width.
   static constexpr double overlap = 0.5;
-
-  static constexpr Index unnumbered = no_index - 1;
 
   /// A part of an object beyond a slice, by the points that begin its next band.
   struct Task
@@ -162,9 +160,8 @@ private:
     }
   }
 
-  /// Numbers the connected groups of the points of a band, connected if need be by points just before it.
-  /// \return the number of groups
-  Index connect(const Task& task, float begin, const std::vector<Index>& band, const std::vector<Slice>& slices)
+  /// Makes a slice of each connected group of the points of a band, connected if need be by points just before it.
+  void split(const Task& task, float begin, float end, const std::vector<Index>& band, std::vector<Slice>& slices)
   {
     std::vector<Index> connecting = band;
     if (task.parent != no_index) {
@@ -174,55 +171,32 @@ private:
         }
       }
     }
+    for (Index i = 0; i < connecting.size(); ++i) {
+      m_place[connecting[i]] = i;
+    }
+    Disjoint_sets sets(connecting.size());
     for (Index point : connecting) {
-      m_group[point] = unnumbered;
-    }
-    if (task.parent == no_index) {
-      for (Index point : band) {
-        m_group[point] = 0; // an object has one root, though its foot may have gaps
-      }
-      return 1;
-    }
-    Index number = 0;
-    std::vector<Index> open;
-    for (Index start : band) {
-      if (m_group[start] != unnumbered) {
-        continue;
-      }
-      m_group[start] = number;
-      open.assign(1, start);
-      while (!open.empty()) {
-        const Index point = open.back();
-        open.pop_back();
-        for (Index neighbor : m_graph.neighbors(point)) {
-          if (m_group[neighbor] == unnumbered) {
-            m_group[neighbor] = number;
-            open.push_back(neighbor);
-          }
+      for (Index neighbor : m_graph.neighbors(point)) {
+        if (m_place[neighbor] != no_index) {
+          sets.join(m_place[point], m_place[neighbor]);
         }
       }
-      ++number;
-    }
-    return number;
-  }
-
-  /// Makes a slice of each group of the points of a band.
-  void split(const Task& task, float begin, float end, const std::vector<Index>& band, std::vector<Slice>& slices)
-  {
-    const Index number_of_groups = connect(task, begin, band, slices);
-    const auto first = Index(slices.size());
-    slices.resize(first + number_of_groups, {task.parent, begin, end, {}, Vector3::Zero(), 0, 0});
-    for (Index point : band) {
-      m_slice_of_point[point] = first + m_group[point];
-      slices[m_slice_of_point[point]].points.push_back(point);
-    }
-    for (Index point : band) {
-      m_group[point] = no_index;
-    }
-    if (task.parent != no_index) {
-      for (Index point : slices[task.parent].points) {
-        m_group[point] = no_index;
+      if (task.parent == no_index) { // an object has one root, though its foot may have gaps
+        sets.join(0, m_place[point]);
       }
+    }
+    Index number_of_groups = 0;
+    const std::vector<Index> group = sets.numbers(number_of_groups);
+    const auto first = Index(slices.size());
+    for (Index i = 0; i < band.size(); ++i) {
+      if (first + group[i] == slices.size()) {
+        slices.push_back({task.parent, begin, end, {}, Vector3::Zero(), 0, 0});
+      }
+      m_slice_of_point[band[i]] = first + group[i];
+      slices[first + group[i]].points.push_back(band[i]);
+    }
+    for (Index point : connecting) {
+      m_place[point] = no_index;
     }
   }
 
@@ -253,7 +227,7 @@ private:
   const Neighbor_graph& m_graph;
   const Root_distances& m_distances;
   std::vector<Index> m_slice_of_point;
-  std::vector<Index> m_group;        // of the points of the band at work
+  std::vector<Index> m_place;        // of the points of the band at work
   Compressed_rows<Index> m_children; // in the tree of shortest paths
 };
 
@@ -311,17 +285,14 @@ private:
   void find_strengths()
   {
     std::vector<float> carried(m_slices.size(), 0);
-    std::vector<Index> next(m_slices.size(), no_index);
     for (Index slice = Index(m_slices.size()); slice-- > 0;) {
       const Index parent = m_slices[slice].parent;
       if (is_alive(slice) && parent != no_index) {
         carried[slice] += float((m_slices[slice].centroid - m_slices[parent].centroid).norm());
         carried[parent] += carried[slice];
-        if (next[parent] == no_index || carried[next[parent]] < carried[slice]) {
-          next[parent] = slice;
-        }
       }
     }
+    const std::vector<Index> next = successors(carried);
     m_strength.assign(m_slices.size(), 0);
     for (Index slice = 0; slice < m_slices.size(); ++slice) {
       if (m_slices[slice].parent == no_index) {
@@ -341,52 +312,49 @@ private:
     }
   }
 
-  void decompose(const std::vector<float>& key)
+  /// For every slice the next one of the greatest key; `no_index` if there is none.
+  std::vector<Index> successors(const std::vector<float>& key) const
   {
-    std::vector<Index> successor(m_slices.size(), no_index);
+    std::vector<Index> result(m_slices.size(), no_index);
     for (Index slice = 0; slice < m_slices.size(); ++slice) {
       const Index parent = m_slices[slice].parent;
-      if (is_alive(slice) && parent != no_index &&
-          (successor[parent] == no_index || key[successor[parent]] < key[slice])) {
-        successor[parent] = slice;
+      if (is_alive(slice) && parent != no_index && (result[parent] == no_index || key[result[parent]] < key[slice])) {
+        result[parent] = slice;
       }
     }
+    return result;
+  }
+
+  void decompose(const std::vector<float>& key)
+  {
+    const std::vector<Index> successor = successors(key);
     m_limbs.clear();
-    m_limb_of_slice.assign(m_slices.size(), no_index);
+    std::vector<Index> limb_of_slice(m_slices.size(), no_index);
     for (Index slice = 0; slice < m_slices.size(); ++slice) {
       const Index parent = m_slices[slice].parent;
       if (!is_alive(slice)) {
         continue;
       }
       if (parent != no_index && successor[parent] == slice) {
-        m_limb_of_slice[slice] = m_limb_of_slice[parent];
+        limb_of_slice[slice] = limb_of_slice[parent];
       } else {
-        m_limb_of_slice[slice] = Index(m_limbs.size());
-        m_limbs.push_back({parent == no_index ? no_index : m_limb_of_slice[parent], parent, {}});
+        limb_of_slice[slice] = Index(m_limbs.size());
+        m_limbs.push_back({parent == no_index ? no_index : limb_of_slice[parent], parent, {}});
       }
-      m_limbs[m_limb_of_slice[slice]].slices.push_back(slice);
+      m_limbs[limb_of_slice[slice]].slices.push_back(slice);
     }
   }
 
   void give_up_short_limbs()
   {
-    std::vector<char> is_given_up(m_limbs.size(), 0);
-    for (Index limb = 0; limb < m_limbs.size(); ++limb) {
-      const Tree_limb& l = m_limbs[limb];
-      if (l.parent == no_index) {
+    for (const Tree_limb& limb : m_limbs) {
+      if (limb.parent == no_index) {
         continue;
       }
-      if (is_given_up[l.parent] != 0) {
-        is_given_up[limb] = 1;
-      } else {
-        const Slice& joint = m_slices[l.joint];
-        const double length = m_reach[l.slices.front()] - m_slices[l.slices.front()].begin;
-        is_given_up[limb] = length < min_length * joint.spacing || length < min_length_in_radii * joint.radius ? 1 : 0;
-      }
-    }
-    for (Index limb = 0; limb < m_limbs.size(); ++limb) {
-      if (is_given_up[limb] != 0) {
-        for (Index slice : m_limbs[limb].slices) {
+      const Slice& joint = m_slices[limb.joint];
+      const double length = m_reach[limb.slices.front()] - m_slices[limb.slices.front()].begin;
+      if (!is_alive(limb.joint) || length < min_length * joint.spacing || length < min_length_in_radii * joint.radius) {
+        for (Index slice : limb.slices) {
           m_host[slice] = m_host[m_slices[slice].parent];
         }
       }
@@ -397,7 +365,6 @@ private:
   std::vector<Index> m_host;
   std::vector<float> m_reach;
   std::vector<float> m_strength;
-  std::vector<Index> m_limb_of_slice;
   std::vector<Tree_limb> m_limbs;
 };
 

@@ -110,33 +110,34 @@ class Root_distances
 {
 public:
   explicit Root_distances(const std::vector<Vector3>& points, const Neighbor_graph& graph)
-      : m_points(points), m_graph(graph), m_front(points.size()), m_cost(points.size(), 0.F),
-        m_distance(points.size(), 0.F), m_parent(points.size(), no_index)
+      : m_points(points), m_graph(graph), m_front(points.size()), m_distance(points.size(), 0.F),
+        m_parent(points.size(), no_index)
   {
   }
 
-  /// Measures from `roots` all that is connected with them. O(n log n).
-  void measure_from(const std::vector<Index>& roots)
+  /// Measures from the roots of each object all that is connected with them. O(n log n).
+  void measure_from(const std::vector<std::vector<Index>>& roots_of_objects)
   {
     m_front.clear();
-    for (Index root : roots) {
-      m_front.reach(root, 0);
-    }
-    m_front.spread([&](Index point, float cost) {
-      m_cost[point] = cost;
-      if (m_parent[point] != no_index) {
-        m_distance[point] = m_distance[m_parent[point]] + float((m_points[point] - m_points[m_parent[point]]).norm());
+    for (const std::vector<Index>& roots : roots_of_objects) {
+      for (Index root : roots) {
+        m_front.reach(root, 0);
       }
-      for (Index neighbor : m_graph.neighbors(point)) {
-        if (m_front.reach(neighbor, cost + float(cost_of_edge(point, neighbor)))) {
-          m_parent[neighbor] = point;
+      m_front.spread([&](Index point, float cost) {
+        if (m_parent[point] != no_index) {
+          m_distance[point] = m_distance[m_parent[point]] + float((m_points[point] - m_points[m_parent[point]]).norm());
         }
-      }
-    });
+        for (Index neighbor : m_graph.neighbors(point)) {
+          if (m_front.reach(neighbor, cost + float(cost_of_edge(point, neighbor)))) {
+            m_parent[neighbor] = point;
+          }
+        }
+      });
+    }
   }
 
-  /// The cost of the shortest path to the root.
-  float cost(Index point) const { return m_cost[point]; }
+  /// The cost of the shortest path to the root. \pre there is one
+  float cost(Index point) const { return m_front.distance(point); }
   /// The length of that path.
   float distance(Index point) const { return m_distance[point]; }
   /// The next point on the shortest path to the root; `no_index` for a root.
@@ -157,7 +158,6 @@ private:
   const std::vector<Vector3>& m_points;
   const Neighbor_graph& m_graph;
   Dijkstra_search m_front;
-  std::vector<float> m_cost;
   std::vector<float> m_distance;
   std::vector<Index> m_parent;
 };
@@ -201,8 +201,15 @@ public:
     }
     const std::vector<Point_gap> gaps = find_gaps();
     for (const Point_gap& gap : gaps) {
-      if (m_pieces.find(gap.a) != m_pieces.find(gap.b) && is_one_object(gap)) {
-        join(gap);
+      const Index a = m_pieces.find(gap.a);
+      const Index b = m_pieces.find(gap.b);
+      if (a != b && is_one_object(gap, m_moments[a], m_moments[b])) {
+        m_pieces.join(a, b);
+        const Index joined = m_pieces.find(a);
+        const Index other = joined == a ? b : a;
+        m_moments[joined].add(m_moments[other]);
+        m_joined_to[other] = joined;
+        m_join_width[other] = gap.length;
       }
     }
     find_objects();
@@ -318,29 +325,15 @@ private:
     return result;
   }
 
-  bool is_one_object(const Point_gap& gap)
+  /// \param a, b the pieces at the ends of `gap`
+  bool is_one_object(const Point_gap& gap, const Moments& a, const Moments& b) const
   {
-    const Moments& a = m_moments[m_pieces.find(gap.a)];
-    const Moments& b = m_moments[m_pieces.find(gap.b)];
     if (gap.length <= chance_gap * std::max(m_graph.spacing(gap.a), m_graph.spacing(gap.b))) {
       return true;
     }
     const double lesser_height = std::min(a.top - a.bottom, b.top - b.bottom);
     const bool both_stand = std::abs(a.bottom - b.bottom) <= ground_tolerance * lesser_height;
     return !both_stand && gap.length <= std::min(a.extent(), b.extent());
-  }
-
-  void join(const Point_gap& gap)
-  {
-    const Index a = m_pieces.find(gap.a);
-    const Index b = m_pieces.find(gap.b);
-    if (m_pieces.join(a, b)) {
-      const Index joined = m_pieces.find(a);
-      const Index other = joined == a ? b : a;
-      m_moments[joined].add(m_moments[other]);
-      m_joined_to[other] = joined;
-      m_join_width[other] = gap.length;
-    }
   }
 
   /// The width of the gap where the pieces of two points were joined, directly or over others.

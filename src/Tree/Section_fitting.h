@@ -31,6 +31,7 @@ struct Circle_fit
 {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0;
+  double scatter = 0;     ///< root mean square distance of the points from their mean
   double deviation = 0;   ///< of the points near it from it, root mean square
   double inlier_part = 0; ///< of the points near it among all
   double coverage = 0;    ///< all of the circle but its longest arc without points: an angle
@@ -47,22 +48,23 @@ inline std::optional<Circle_fit> fit_circle_algebraically(const std::vector<Eige
   for (const Eigen::Vector2d& point : points) {
     mean_square += (point - mean).squaredNorm() / number;
   }
+  Circle_fit result;
+  result.scatter = std::sqrt(mean_square);
   if (!(mean_square > 0)) {
     return std::nullopt;
   }
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector2d& point : points) {
     const Eigen::Vector2d p = point - mean;
-    const Eigen::Vector3d row((p.squaredNorm() - mean_square) / (2 * std::sqrt(mean_square)), p.x(), p.y());
+    const Eigen::Vector3d row((p.squaredNorm() - mean_square) / (2 * result.scatter), p.x(), p.y());
     moments += 1 / number * row * row.transpose();
   }
   const Eigen::Vector3d solution = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
-  const double quadratic = solution[0] / (2 * std::sqrt(mean_square));
+  const double quadratic = solution[0] / (2 * result.scatter);
   constexpr double straight = 1e-6; // relative to the scatter: the circle would be a line
   if (std::abs(solution[0]) < straight) {
     return std::nullopt;
   }
-  Circle_fit result;
   const Eigen::Vector2d offset = -solution.tail<2>() / (2 * quadratic);
   result.center = mean + offset;
   result.radius = std::sqrt(offset.squaredNorm() + mean_square);
@@ -286,23 +288,10 @@ private:
     return result;
   }
 
-  static double scatter(const std::vector<Eigen::Vector2d>& points)
-  {
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& p : points) {
-      mean += p / double(points.size());
-    }
-    double sum = 0;
-    for (const Eigen::Vector2d& p : points) {
-      sum += (p - mean).squaredNorm() / double(points.size());
-    }
-    return std::sqrt(sum);
-  }
-
   /// Whether the section is given by a circle.
-  Circle_outcome judge(const Circle_fit& circle, double scatter, const Tree_limb& limb) const
+  Circle_outcome judge(const Circle_fit& circle, const Tree_limb& limb) const
   {
-    if (circle.radius > max_radius * scatter ||
+    if (circle.radius > max_radius * circle.scatter ||
         (limb.joint != no_index && circle.radius > max_of_parent * m_sections[limb.joint].radius)) {
       return Circle_outcome::too_wide;
     }
@@ -324,7 +313,7 @@ private:
     if (!circle) {
       return;
     }
-    section.outcome = judge(*circle, scatter(points), limb);
+    section.outcome = judge(*circle, limb);
     if (!section.is_circle()) {
       return;
     }

@@ -317,9 +317,7 @@ private:
       bridges.emplace_back(gap.a, gap.b);
     }
     m_graph.set_bridges(bridges);
-    for (const std::vector<Index>& roots : m_roots) {
-      m_distances.measure_from(roots);
-    }
+    m_distances.measure_from(m_roots);
   }
 
   /// \return for every slice the one that has its points
