@@ -3,8 +3,8 @@
 //
 // Reads Wavefront OBJ, OFF and STL.
 
-#include "IO/Point_merger.h"
 #include "IO/formats.h"
+#include "IO/merge_equal_points.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector3.h>
@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CSCD::internal {
 
@@ -106,7 +107,7 @@ constexpr std::size_t stl_attribute_size = 2;
 constexpr std::size_t stl_triangle_size = stl_normal_size + 9 * sizeof(float) + stl_attribute_size;
 
 /// Reads binary STL. \param scanner behind the text
-void read_binary_stl(Byte_scanner& scanner, const std::string& filename, Point_merger& points)
+void read_binary_stl(Byte_scanner& scanner, const std::string& filename, std::vector<Vector3>& points)
 {
   const auto number_of_triangles = std::size_t(scanner.number<std::uint32_t>());
   const std::size_t room = scanner.remaining() / stl_triangle_size;
@@ -117,7 +118,7 @@ void read_binary_stl(Byte_scanner& scanner, const std::string& filename, Point_m
                  "check the ending of the file name, or fetch the file again");
   }
   check_number_of_points(3 * number_of_triangles, filename);
-  points = Point_merger(3 * number_of_triangles);
+  points.reserve(3 * number_of_triangles);
   for (std::size_t i = 0; i < number_of_triangles; ++i) {
     scanner.skip(stl_normal_size);
     for (int corner = 0; corner < 3; ++corner) {
@@ -126,13 +127,13 @@ void read_binary_stl(Byte_scanner& scanner, const std::string& filename, Point_m
         fail_in_file(filename, "triangle " + std::to_string(i) + " has a coordinate that is not finite",
                      "remove the triangle or write the file again");
       }
-      points.add(point);
+      points.push_back(point);
     }
     scanner.skip(stl_attribute_size);
   }
 }
 
-void read_facet(Text_scanner& scanner, Point_merger& points)
+void read_facet(Text_scanner& scanner, std::vector<Vector3>& points)
 {
   int number_of_vertices = 0;
   while (scanner.skip_blanks()) {
@@ -143,7 +144,7 @@ void read_facet(Text_scanner& scanner, Point_merger& points)
         scanner.expect("all coordinates of a vertex");
         coordinate = scanner.coordinate();
       }
-      points.add(point);
+      points.push_back(point);
       ++number_of_vertices;
     } else if (word == "endfacet") {
       if (number_of_vertices != 3) {
@@ -156,7 +157,7 @@ void read_facet(Text_scanner& scanner, Point_merger& points)
 }
 
 /// Reads ASCII STL.
-void read_text_stl(Text_scanner& scanner, Point_merger& points)
+void read_text_stl(Text_scanner& scanner, std::vector<Vector3>& points)
 {
   if (!scanner.skip_blanks() || scanner.word() != "solid") {
     scanner.fail("neither ASCII STL nor binary STL: the keyword solid is missing", "check the ending of the file name");
@@ -254,7 +255,7 @@ Shape_file parse_off(std::string_view content, const std::string& filename, unsi
 /// Reads ASCII and binary STL. STL repeats a vertex in each of its triangles; these are made one here.
 Shape_file parse_stl(std::string_view content, const std::string& filename, unsigned /* contents */)
 {
-  Point_merger points(0);
+  Shape_file result;
   Text_scanner text(content, filename);
   // The text of a binary file may begin with `solid`, which an ASCII file must; the file's size decides then.
   const bool has_header = content.size() >= stl_header_size;
@@ -264,13 +265,12 @@ Shape_file parse_stl(std::string_view content, const std::string& filename, unsi
   if (has_header &&
       (content.size() == stl_header_size + Byte_scanner(bytes).number<std::uint32_t>() * stl_triangle_size ||
        first.word() != "solid")) {
-    read_binary_stl(bytes, filename, points);
+    read_binary_stl(bytes, filename, result.points);
   } else {
-    read_text_stl(text, points);
+    read_text_stl(text, result.points);
   }
-  Shape_file result;
-  points.move_to(result.points, result.corners);
-  check_number_of_points(result.corners.size(), filename);
+  check_number_of_points(result.points.size(), filename);
+  merge_equal_points(result.points, result.corners);
   for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
     result.first_corner.push_back(end);
   }

@@ -7,7 +7,7 @@
 // part, for nothing.
 #define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
 
-#include "IO/Point_merger.h"
+#include "IO/merge_equal_points.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeletonization_report.h>

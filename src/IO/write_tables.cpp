@@ -3,7 +3,7 @@
 //
 // The definitions of write_tables.h and write_correspondence.h.
 
-#include "IO/Point_merger.h"
+#include "IO/merge_equal_points.h"
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_tables.h>
