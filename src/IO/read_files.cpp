@@ -128,20 +128,6 @@ std::size_t remaining_size(std::istream& in)
   return end > begin ? static_cast<std::size_t>(end - begin) : 0;
 }
 
-void check_polygons(const Shape_file& shape, const std::string& filename)
-{
-  if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
-    fail_in_file(filename, "the file has no faces", "a triangle mesh is needed");
-  }
-}
-
-void check_points(const Shape_file& shape, const std::string& filename)
-{
-  if (shape.points.empty()) {
-    fail_in_file(filename, "the file has no points", "fetch or write it again");
-  }
-}
-
 using Line = std::pair<std::int64_t, std::int64_t>;
 
 /// Checks nodes and lines. Lines from a node to itself and repeated ones are left out: they add nothing to a drawing
@@ -189,9 +175,11 @@ void check(Shape_file& shape, const std::string& filename, unsigned contents)
   shape.radii.clear();
   const bool may_be_skeleton = (contents & skeleton_content) != 0;
   if ((contents & point_content) != 0 || (may_be_skeleton && shape.number_of_polygons() == 0)) {
-    check_points(shape, filename);
-  } else {
-    check_polygons(shape, filename);
+    if (shape.points.empty()) {
+      fail_in_file(filename, "the file has no points", "fetch or write it again");
+    }
+  } else if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
+    fail_in_file(filename, "the file has no faces", "a triangle mesh is needed");
   }
 }
 
