@@ -47,10 +47,8 @@ public:
       }
     }
     for (const Index node : forest.order()) {
-      m_is_joint[node] = char(is_end(forest, node));
-    }
-    for (const Index node : forest.order()) {
       if (is_end(forest, node)) {
+        m_is_joint[node] = 1;
         for (const Index child : m_children[node]) {
           place_along(chain_from(node, child));
         }
@@ -121,11 +119,11 @@ class Joint_weights
 {
 public:
   Joint_weights(const Skeleton& skeleton, Index root, double size, const std::vector<Index>& branch_of_node)
-      : m_skeleton(skeleton), m_forest(skeleton, {root}), m_placement(skeleton, m_forest, size)
+      : m_skeleton(skeleton), m_forest(skeleton, {root}), m_placement(skeleton, m_forest, size),
+        m_owner(skeleton.number_of_nodes(), no_index), m_next(skeleton.number_of_nodes(), no_index),
+        m_distance(skeleton.number_of_nodes(), 0)
   {
     number_joints(branch_of_node);
-    find_next_joints();
-    find_zones();
   }
 
   const std::vector<Rig_joint>& joints() const { return m_joints; }
@@ -153,53 +151,33 @@ public:
   }
 
 private:
+  /// A zone around a joint ends halfway to the next joint, so that zones do not overlap.
   void number_joints(const std::vector<Index>& branch_of_node)
   {
-    m_owner.assign(m_skeleton.number_of_nodes(), no_index);
-    m_distance.assign(m_skeleton.number_of_nodes(), 0);
     for (const Index node : m_forest.order()) {
       const bool is_root = m_forest.is_root(node);
       const Index parent = m_forest.parent(node);
       m_owner[node] = m_owner[parent];
       m_distance[node] = is_root ? 0 : m_distance[parent] + m_skeleton.length({parent, node});
-      if (m_placement.is_joint(node)) {
-        Rig_joint joint{{}, node, branch_of_node[node], m_skeleton.points[node], m_skeleton.radii[node], false};
-        joint.is_tip = !is_root && m_placement.is_leaf(node);
-        if (!is_root) {
-          joint.parent = m_owner[parent];
-        }
-        if (!joint.is_tip) {
-          m_owner[node] = Index(m_joints.size());
-        }
-        m_joints.push_back(joint);
+      if (!m_placement.is_joint(node)) {
+        continue;
       }
-    }
-  }
-
-  void find_next_joints()
-  {
-    m_next.assign(m_skeleton.number_of_nodes(), no_index);
-    for (std::size_t j = 0; j < m_joints.size(); ++j) {
-      m_next[m_joints[j].node] = Index(j);
+      m_next[node] = Index(m_joints.size());
+      Rig_joint joint{{}, node, branch_of_node[node], m_skeleton.points[node], m_skeleton.radii[node], false};
+      joint.is_tip = !is_root && m_placement.is_leaf(node);
+      m_zone.push_back(joint.radius);
+      if (!is_root) {
+        const Index before = m_owner[parent];
+        const double half = (m_distance[node] - m_distance[m_joints[before].node]) / 2;
+        m_zone.back() = std::min(m_zone.back(), half);
+        m_zone[before] = std::min(m_zone[before], half);
+        joint.parent = before;
+      }
+      m_owner[node] = joint.is_tip ? m_owner[node] : m_next[node];
+      m_joints.push_back(joint);
     }
     for (auto node = m_forest.order().rbegin(); node != m_forest.order().rend(); ++node) {
       m_next[*node] = m_placement.is_joint(*node) ? m_next[*node] : m_next[m_placement.children(*node).front()];
-    }
-  }
-
-  /// A zone around a joint ends halfway to the next joint, so that zones do not overlap.
-  void find_zones()
-  {
-    m_zone.reserve(m_joints.size());
-    for (const Rig_joint& joint : m_joints) {
-      m_zone.push_back(joint.radius);
-    }
-    for (std::size_t j = 0; j < m_joints.size(); ++j) {
-      if (const std::optional<std::size_t> parent = m_joints[j].parent) {
-        const double half = (m_distance[m_joints[j].node] - m_distance[m_joints[*parent].node]) / 2;
-        m_zone[j] = std::min(m_zone[j], half);
-        m_zone[*parent] = std::min(m_zone[*parent], half);
-      }
     }
   }
 
