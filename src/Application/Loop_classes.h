@@ -10,6 +10,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <boost/dynamic_bitset.hpp>
@@ -204,9 +205,7 @@ private:
     for (const Segment& segment : segments) {
       const Vector3 lower = segment.ends[0].cwiseMin(segment.ends[1]);
       const Vector3 upper = segment.ends[0].cwiseMax(segment.ends[1]);
-      std::array<double, 2> low{lower.x(), lower.y()};
-      std::array<double, 2> high{upper.x(), upper.y()};
-      boxes.emplace_back(low.data(), high.data(), &segment);
+      boxes.emplace_back(CGAL::Bbox_2(lower.x(), lower.y(), upper.x(), upper.y()), &segment);
     }
     return boxes;
   }

@@ -27,7 +27,7 @@ struct Surface_slice
   bool is_at_junction = false;
 };
 
-/// Where two slices or parts touch: sums over the edges between them, weighted by length.
+/// Sums over the edges between two slices or parts, weighted by length.
 struct Part_boundary
 {
   double length = 0;
@@ -46,14 +46,23 @@ struct Part_boundary
   }
 };
 
-/// Slices, the slice of each face, and the boundaries between slices.
+/// Where two slices or parts touch.
+struct Part_border
+{
+  std::array<Index, 2> parts; ///< the smaller number first
+  Part_boundary boundary{};
+  double score = 0; ///< of the parts, see `merge_score()`
+
+  bool operator<(const Part_border& other) const { return std::tie(score, other.parts) < std::tie(other.score, parts); }
+};
+
+/// Slices, the slice of each face, and the borders between slices.
 struct Slice_graph
 {
   std::vector<Surface_slice> slices;
   std::vector<Index> slice; ///< of each face
-  std::vector<std::array<Index, 2>> neighbors;
-  std::vector<Part_boundary> boundaries; ///< of the pairs of neighbors
-  double area = 0;                       ///< of all slices
+  std::vector<Part_border> borders;
+  double area = 0; ///< of all slices
 };
 
 /// The features of two neighboring parts. Of the two, the smaller one has less area.
@@ -88,16 +97,15 @@ double merge_score(const Merge_features& features);
 class Part_merging
 {
 public:
-  explicit Part_merging(const Slice_graph& graph) : m_graph(graph)
+  explicit Part_merging(const Slice_graph& graph) : m_graph(graph), m_borders(graph.borders)
   {
     for (Index s = 0; s < graph.slices.size(); ++s) {
       const Surface_slice& slice = graph.slices[s];
       m_parts.push_back({{s}, slice.area, slice.area * slice.log_diameter});
     }
-    for (std::size_t b = 0; b < graph.boundaries.size(); ++b) {
-      m_borders.push_back({graph.neighbors[b], graph.boundaries[b]});
-      for (const Index s : graph.neighbors[b]) {
-        m_parts[s].boundary_length += graph.boundaries[b].length;
+    for (const Part_border& border : m_borders) {
+      for (const Index s : border.parts) {
+        m_parts[s].boundary_length += border.boundary.length;
       }
     }
   }
@@ -106,11 +114,11 @@ public:
   /// O(s^2) for s slices where parts have few neighbors.
   void run(std::size_t number_of_parts)
   {
-    for (Border& border : m_borders) {
+    for (Part_border& border : m_borders) {
       border.score = merge_score(features(border));
     }
     for (std::size_t left = m_parts.size(); left > number_of_parts && !m_borders.empty(); --left) {
-      const Border best = *std::max_element(m_borders.begin(), m_borders.end());
+      const Part_border best = *std::max_element(m_borders.begin(), m_borders.end());
       if (number_of_parts == 0 && best.score <= 0) {
         break;
       }
@@ -139,16 +147,6 @@ private:
     double boundary_length = 0;
 
     double mean_log_diameter() const { return log_diameter / area; }
-  };
-
-  /// Where two parts touch.
-  struct Border
-  {
-    std::array<Index, 2> parts; // the smaller number first
-    Part_boundary boundary;
-    double score = 0;
-
-    bool operator<(const Border& other) const { return std::tie(score, other.parts) < std::tie(other.score, parts); }
   };
 
   /// The mean place of the nodes of a part near a boundary, and the mean logarithm of its diameter there.
@@ -190,7 +188,7 @@ private:
     return result;
   }
 
-  Merge_features features(const Border& border) const
+  Merge_features features(const Part_border& border) const
   {
     const Part& first = m_parts[border.parts[0]];
     const Part& second = m_parts[border.parts[1]];
@@ -231,7 +229,7 @@ private:
   }
 
   /// Merges both parts of `border` into the first.
-  void merge(const Border& border)
+  void merge(const Part_border& border)
   {
     const auto [to, from] = border.parts;
     Part& result = m_parts[to];
@@ -244,10 +242,10 @@ private:
     // The borders of the result with its neighbors; where both parts had one, the sums of both.
     std::map<Index, Part_boundary> boundaries;
     const auto is_merged = [to = to, from = from](Index part) { return part == to || part == from; };
-    const auto first = std::partition(m_borders.begin(), m_borders.end(), [&](const Border& its) {
+    const auto first = std::partition(m_borders.begin(), m_borders.end(), [&](const Part_border& its) {
       return !is_merged(its.parts[0]) && !is_merged(its.parts[1]);
     });
-    std::for_each(first, m_borders.end(), [&](const Border& its) {
+    std::for_each(first, m_borders.end(), [&](const Part_border& its) {
       const Index neighbor = its.parts[is_merged(its.parts[0]) ? 1 : 0];
       if (!is_merged(neighbor)) {
         boundaries[neighbor].add(its.boundary);
@@ -262,7 +260,7 @@ private:
 
   const Slice_graph& m_graph;
   std::vector<Part> m_parts; // by their first slice
-  std::vector<Border> m_borders;
+  std::vector<Part_border> m_borders;
 };
 
 } // namespace CSCD::internal

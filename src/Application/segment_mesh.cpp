@@ -277,12 +277,11 @@ private:
         return;
       }
       const std::array<Index, 2> pair{std::min(first, second), std::max(first, second)};
-      const auto [place, is_new] = number_of.emplace(pair, Index(m_graph.boundaries.size()));
+      const auto [place, is_new] = number_of.emplace(pair, Index(m_graph.borders.size()));
       if (is_new) {
-        m_graph.neighbors.push_back(pair);
-        m_graph.boundaries.emplace_back();
+        m_graph.borders.push_back({pair});
       }
-      Part_boundary& boundary = m_graph.boundaries[place->second];
+      Part_boundary& boundary = m_graph.borders[place->second].boundary;
       const double length = std::max(vector(h).norm(), std::numeric_limits<double>::min());
       boundary.length += length;
       boundary.moment += length * (origin(h) + vector(h) / 2);
@@ -295,17 +294,15 @@ private:
   void add_turning_inside()
   {
     std::vector<double> whole_length(m_graph.slices.size(), 0);
-    for (std::size_t b = 0; b < m_graph.boundaries.size(); ++b) {
-      for (const Index s : m_graph.neighbors[b]) {
-        whole_length[s] += m_graph.boundaries[b].length;
+    for (const Part_border& border : m_graph.borders) {
+      for (const Index s : border.parts) {
+        whole_length[s] += border.boundary.length;
       }
     }
-    for (std::size_t b = 0; b < m_graph.boundaries.size(); ++b) {
-      Part_boundary& boundary = m_graph.boundaries[b];
-      const auto [first, second] = m_graph.neighbors[b];
-      for (const Index s : {first, second}) {
+    for (auto& [parts, boundary, score] : m_graph.borders) {
+      for (const Index s : parts) {
         for (const Index h : m_inner_edges[s]) {
-          add_turning(h, direction(first, second), boundary.length / whole_length[s], boundary);
+          add_turning(h, direction(parts[0], parts[1]), boundary.length / whole_length[s], boundary);
         }
       }
     }
