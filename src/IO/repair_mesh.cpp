@@ -68,29 +68,29 @@ bool is_degenerate(const std::array<Index, 3>& t)
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Finds the faces of flaps: parts of the surface, joined by edges of two faces, that meet a part of a hundred times
+/// Removes the faces of flaps: parts of the surface, joined by edges of two faces, that meet a part of a hundred times
 /// their area at an edge of three faces or more. Without them, that edge joins the two faces of the larger part, which
-/// would be slit there. O(n log n). \return for each face, whether it is of a flap
+/// would be slit there. Points stay. O(n log n). \return the number of faces that were removed
 /// \pre no face names a vertex twice, and no two faces have the same vertices
-std::vector<char> find_flaps(const Indexed_triangles& triangles)
+std::size_t remove_flaps(Indexed_triangles& soup)
 {
   constexpr double max_area = 0.01; // relative to that of the larger part
-  const std::size_t number_of_faces = triangles.faces.size();
+  const std::size_t number_of_faces = soup.faces.size();
   Disjoint_sets sets(number_of_faces);
-  for_each_edge(triangles.faces, [&](const std::vector<Index>& faces) {
+  for_each_edge(soup.faces, [&](const std::vector<Index>& faces) {
     if (faces.size() == 2) {
       sets.join(faces[0], faces[1]);
     }
   });
   Index number_of_parts = 0;
   const std::vector<Index> part = sets.numbers(number_of_parts);
-  const std::vector<double> face_area = face_areas(triangles);
+  const std::vector<double> face_area = face_areas(soup);
   std::vector<double> area(number_of_parts, 0.);
   for (Index face = 0; face < number_of_faces; ++face) {
     area[part[face]] += face_area[face];
   }
   std::vector<char> is_flap(number_of_parts, 0);
-  for_each_edge(triangles.faces, [&](const std::vector<Index>& faces) {
+  for_each_edge(soup.faces, [&](const std::vector<Index>& faces) {
     if (faces.size() > 2) {
       double largest = 0;
       for (const Index face : faces) {
@@ -101,9 +101,14 @@ std::vector<char> find_flaps(const Indexed_triangles& triangles)
       }
     }
   });
-  std::vector<char> result(number_of_faces);
-  std::transform(part.begin(), part.end(), result.begin(), [&is_flap](Index p) { return is_flap[p]; });
-  return result;
+  std::size_t kept = 0;
+  for (std::size_t face = 0; face < number_of_faces; ++face) {
+    if (is_flap[part[face]] == 0) {
+      soup.faces[kept++] = soup.faces[face];
+    }
+  }
+  soup.faces.resize(kept);
+  return number_of_faces - kept;
 }
 
 /// Cuts one polygon after the other into triangles.
@@ -258,21 +263,6 @@ std::size_t merge_points(Indexed_triangles& soup)
     }
   }
   return number_of_merged_points;
-}
-
-/// Removes the triangles of flaps. Their points stay. \return their number
-std::size_t remove_flaps(Indexed_triangles& soup)
-{
-  const std::vector<char> is_flap = find_flaps(soup);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < soup.faces.size(); ++i) {
-    if (is_flap[i] == 0) {
-      soup.faces[kept++] = soup.faces[i];
-    }
-  }
-  const std::size_t number_of_flap_faces = soup.faces.size() - kept;
-  soup.faces.resize(kept);
-  return number_of_flap_faces;
 }
 
 /// Removes triangles that name a vertex twice, all but one of those of the same vertices, flaps, and points without
