@@ -113,6 +113,7 @@ std::vector<std::vector<Index>> roots_of_objects(const std::vector<Vector3>& poi
   }
   std::vector<char> is_taken(points.size(), 0);
   std::vector<std::vector<Index>> result;
+  result.reserve(members.size());
   for (const std::vector<Index>& of_object : members) {
     result.push_back(find_foot(points, graph, of_object, is_taken));
   }
