@@ -69,33 +69,60 @@ step "configure" configure checked
 step "format" cmake --build --preset checked --target format_check
 step "order of includes" run_tests checked --tests-regex '^includes_point_down'
 
-# clang-tidy reads one file for minutes: it starts first, takes what the others leave, and is awaited at the end.
-output_of_tidy=$(mktemp)
-set -m # a process group of its own, so that it can be ended whole
+# begin_beside <name> <command>... starts a command that takes the processor time that the steps leave, and is awaited at
+# the end. It has a process group of its own, so that it can be ended whole.
+names_beside=()
+groups_beside=()
+outputs_beside=()
+begin_beside()
 {
-  configure tidy
-  nice -n 19 cmake --build --preset tidy
-} >"$output_of_tidy" 2>&1 &
-tidy=$!
-set +m
-trap 'kill -- "-$tidy" 2>/dev/null || true; rm -f "$output_of_tidy"' EXIT
-finish_tidy()
+  names_beside+=("$1")
+  outputs_beside+=("$(mktemp)")
+  shift
+  set -m
+  ( renice -n 19 -p "$BASHPID" >/dev/null && "$@" ) >"${outputs_beside[-1]}" 2>&1 &
+  groups_beside+=($!)
+  set +m
+}
+end_all_beside()
+{
+  local group
+  for group in "${groups_beside[@]}"; do
+    kill -- "-$group" 2>/dev/null || true
+  done
+  rm -f "${outputs_beside[@]}"
+}
+trap end_all_beside EXIT
+# finish_beside <index>
+finish_beside()
 {
   local status=0
-  wait "$tidy" || status=$?
-  cat "$output_of_tidy"
+  wait "${groups_beside[$1]}" || status=$?
+  cat "${outputs_beside[$1]}"
   return "$status"
 }
 
+# The sanitized tests run at once: one of the address sanitizer takes longer than all others.
+check_by_sanitizers()
+{
+  build_preset asan-ubsan
+  build_preset tsan
+  run_tests tsan &
+  run_tests asan-ubsan --parallel "$jobs"
+  wait $!
+}
+
+# clang-tidy reads one file for minutes: it starts first. The sanitizers start when the large build is over, so that two
+# builds do not share the memory.
+begin_beside "clang-tidy" build_preset tidy
 step "build" cmake --build --preset checked --parallel "$jobs"
+begin_beside "sanitizers" check_by_sanitizers
 step "fast tests" run_tests checked --parallel "$jobs" --label-exclude 'slow|python|web'
 step "Python module" run_tests checked --label-regex python
-step "build for the address sanitizer" build_preset asan-ubsan
-step "tests under the address sanitizer" run_tests asan-ubsan --parallel "$jobs"
-step "build for the thread sanitizer" build_preset tsan
-step "tests under the thread sanitizer" run_tests tsan
 step "slow tests" run_tests checked --parallel "$jobs" --label-regex slow
-step "clang-tidy, the rest of it" finish_tidy
+for index in "${!names_beside[@]}"; do
+  step "${names_beside[$index]}, the rest of it" finish_beside "$index"
+done
 
 echo "Seconds of each step, $SECONDS in all:"
 printf '%s\n' "${summary[@]}"
