@@ -517,7 +517,7 @@ TEST(Degenerate_input, noise_as_large_as_the_edges)
 TEST(Degenerate_input, points_anywhere)
 {
   for (std::size_t seed = 1; seed <= 3; ++seed) {
-    expect_skeleton(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 100, seed));
+    expect_skeleton(CSCD::test::noisy(CSCD::test::torus(3, 1, 8), 100, seed));
   }
 }
 
