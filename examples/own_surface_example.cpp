@@ -34,7 +34,7 @@ using CSCD::Vector3;
 class Knot_tube : public CSCD::Triangle_halfedges
 {
 public:
-  static constexpr Index size = 400;  // number of circles
+  static constexpr Index size = 200;  // number of circles
   static constexpr Index around = 20; // vertices of each
   static constexpr double radius = 0.4;
 
