@@ -122,30 +122,19 @@ TEST(Read_skeleton, repeated_edges_and_edges_to_the_same_node_are_left_out)
   EXPECT_EQ((Edges{{0, 1}}), s.edges);
 }
 
-TEST(Read_skeleton, json_tells_which_nodes_are_openings)
-{
-  Skeleton skeleton = sample_skeleton<Skeleton>();
-  skeleton[3].is_opening = true;
-  std::stringstream file;
-  CSCD::write_json(file, skeleton);
-  Skeleton read_back;
-  CSCD::read_skeleton(file, ".json", "test", read_back);
-  ASSERT_EQ(num_vertices(skeleton), num_vertices(read_back));
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    EXPECT_EQ(skeleton[node].is_opening, read_back[node].is_opening);
-  }
-}
-
-TEST(Read_skeleton, vtp_tells_which_nodes_are_openings)
+TEST(Read_skeleton, json_and_vtp_tell_which_nodes_are_openings)
 {
   Skeleton skeleton = sample_skeleton<Skeleton>();
   skeleton[3].is_opening = true;
   const Temporary_folder folder;
-  CSCD::write_skeleton(folder.file("s.vtp"), skeleton);
-  Skeleton read;
-  CSCD::read_skeleton(folder.file("s.vtp"), read);
-  for (std::size_t v = 0; v < num_vertices(read); ++v) {
-    EXPECT_EQ(v == 3, read[v].is_opening);
+  for (const std::string name : {"s.json", "s.vtp"}) {
+    CSCD::write_skeleton(folder.file(name), skeleton);
+    Skeleton read_back;
+    CSCD::read_skeleton(folder.file(name), read_back);
+    ASSERT_EQ(num_vertices(skeleton), num_vertices(read_back));
+    for (std::size_t v = 0; v < num_vertices(read_back); ++v) {
+      EXPECT_EQ(v == 3, read_back[v].is_opening) << name;
+    }
   }
 }
 

@@ -9,9 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -21,11 +19,6 @@ namespace {
 
 using namespace test_support;
 
-std::ptrdiff_t number_of_files(const Temporary_folder& folder)
-{
-  return std::distance(std::filesystem::directory_iterator(folder.path()), std::filesystem::directory_iterator());
-}
-
 TEST(Write_file, creates_and_replaces)
 {
   const Temporary_folder folder;
@@ -34,7 +27,7 @@ TEST(Write_file, creates_and_replaces)
   EXPECT_EQ("a longer first content", read_file(filename));
   CSCD::write_file(filename, [](std::ostream& out) { out << "second"; });
   EXPECT_EQ("second", read_file(filename));
-  EXPECT_EQ(1, number_of_files(folder));
+  EXPECT_EQ(1, folder.number_of_files());
 }
 
 TEST(Write_file, failure_leaves_no_new_file)
@@ -45,7 +38,7 @@ TEST(Write_file, failure_leaves_no_new_file)
     throw std::runtime_error("no more");
   };
   EXPECT_THROW(CSCD::write_file(folder.file("a.txt"), fail), std::runtime_error);
-  EXPECT_EQ(0, number_of_files(folder));
+  EXPECT_EQ(0, folder.number_of_files());
 }
 
 TEST(Write_file, failure_keeps_the_old_file)
@@ -55,7 +48,7 @@ TEST(Write_file, failure_keeps_the_old_file)
   const auto fail = [](std::ostream& out) { out.setstate(std::ios::badbit); };
   EXPECT_THROW(CSCD::write_file(filename, fail), CSCD::File_error);
   EXPECT_EQ("old", read_file(filename));
-  EXPECT_EQ(1, number_of_files(folder));
+  EXPECT_EQ(1, folder.number_of_files());
 }
 
 TEST(Write_file, missing_folder_and_folder_are_refused_by_name)
@@ -125,7 +118,7 @@ TEST(File_group, appears_when_it_is_published)
   files.publish();
   EXPECT_EQ("first", read_file(old));
   EXPECT_EQ("second", read_file(folder.file("new.txt")));
-  EXPECT_EQ(2, number_of_files(folder));
+  EXPECT_EQ(2, folder.number_of_files());
 }
 
 TEST(File_group, does_not_appear_when_a_file_fails)
@@ -140,7 +133,7 @@ TEST(File_group, does_not_appear_when_a_file_fails)
   };
   EXPECT_THROW(write_two(), CSCD::File_error);
   EXPECT_EQ("old", read_file(old));
-  EXPECT_EQ(1, number_of_files(folder));
+  EXPECT_EQ(1, folder.number_of_files());
 }
 
 } // namespace

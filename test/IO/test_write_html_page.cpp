@@ -3,9 +3,11 @@
 //
 // The data of the viewer page; its scripts are tested in test/page.
 
+#include "mesh_files.h"
 #include "support/Shape.h"
 #include "support/fork_in_box.h"
 #include "write_html_page.h"
+#include "write_in_foreign_locale.h"
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -61,27 +63,10 @@ nlohmann::json data_of(const std::string& page)
   return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
 }
 
-std::string decode_base64(const std::string& text)
-{
-  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int number_of_bits = 0;
-  for (const char c : text.substr(0, text.find('='))) {
-    bits = (bits << 6) | static_cast<std::uint32_t>(alphabet.find(c));
-    number_of_bits += 6;
-    if (number_of_bits >= 8) {
-      number_of_bits -= 8;
-      bytes.push_back(static_cast<char>((bits >> number_of_bits) & 0xff));
-    }
-  }
-  return bytes;
-}
-
 template <class Number>
 std::vector<Number> array_of(const nlohmann::json& data, const std::string& name)
 {
-  const std::string bytes = decode_base64(data["arrays"][name][1]);
+  const std::string bytes = test_support::from_base64(data["arrays"][name][1]);
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
   return numbers;
@@ -276,14 +261,9 @@ TEST(Write_html_page, needs_no_other_file)
 
 TEST(Write_html_page, does_not_depend_on_the_locale)
 {
-  struct Grouped : std::numpunct<char>
-  {
-    char do_thousands_sep() const override { return '.'; }
-    std::string do_grouping() const override { return "\1"; }
-  };
   const Mesh mesh = box_mesh();
   std::ostringstream out;
-  out.imbue(std::locale(std::locale::classic(), new Grouped));
+  out.imbue(std::locale(std::locale::classic(), new test_support::Foreign_punctuation));
   CSCD::write_html_page(out, mesh, fork_in_box<Skeleton>(mesh), Separators(), "title");
   EXPECT_EQ(out.str(), page_of(mesh, fork_in_box<Skeleton>(mesh)));
 }

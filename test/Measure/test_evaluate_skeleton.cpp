@@ -40,29 +40,6 @@ Mesh mesh_of(const Shape& shape)
   return to_mesh<Mesh>(shape);
 }
 
-/// The true centreline of a shape, with its radii.
-Skeleton centreline(const Shape& shape)
-{
-  Skeleton skeleton;
-  const auto node = [&](const Triple& p, double radius) {
-    const Point point(p[0], p[1], p[2]);
-    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
-      if (skeleton[v].point == point) {
-        return v;
-      }
-    }
-    const std::size_t v = add_vertex(skeleton);
-    skeleton[v].point = point;
-    skeleton[v].radius = radius;
-    return v;
-  };
-  for (const Centreline_segment& segment : shape.centreline) {
-    const std::size_t source = node(segment.source, segment.source_radius);
-    add_edge(source, node(segment.target, segment.target_radius), skeleton);
-  }
-  return skeleton;
-}
-
 /// A straight skeleton along the x axis, moved by `y`.
 Skeleton axis(double from, double to, double y, std::size_t number_of_nodes)
 {
@@ -84,7 +61,7 @@ const auto coarse = parameters::resolution(20);
 TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
 {
   const Shape shape = capsule(8, 1, 48);
-  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), centreline(shape));
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), to_skeleton<Skeleton>(shape.centreline));
   EXPECT_EQ(shape.points.size(), m.number_of_points);
   EXPECT_NEAR(std::sqrt(108.), m.diagonal, 1e-6);
   EXPECT_NEAR(8 / m.diagonal, m.counts.length, 1e-12);
@@ -113,7 +90,7 @@ TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
 TEST(Evaluate_skeleton, centreline_of_a_torus_is_a_cycle_in_the_middle)
 {
   const Shape shape = torus(4, 1, 32);
-  const Skeleton skeleton = centreline(shape);
+  const Skeleton skeleton = to_skeleton<Skeleton>(shape.centreline);
   const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), skeleton);
   EXPECT_EQ(1u, m.position.genus);
   EXPECT_EQ(1u, m.counts.betti_number);
@@ -187,7 +164,7 @@ TEST(Evaluate_skeleton, borders_are_bridged)
 TEST(Evaluate_skeleton, measures_points_too)
 {
   const Shape shape = capsule(8, 1, 32);
-  const Skeleton skeleton = centreline(shape);
+  const Skeleton skeleton = to_skeleton<Skeleton>(shape.centreline);
   const Skeleton_measures of_mesh = evaluate_skeleton(mesh_of(shape), skeleton);
   std::vector<Point> points;
   CGAL::Point_set_3<Point> point_set;

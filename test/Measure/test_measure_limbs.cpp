@@ -14,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -26,37 +25,6 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 using CSCD::Limb_measures;
-
-/// A skeleton of straight segments; equal ends are one node.
-Skeleton skeleton_of(const std::vector<std::array<Triple, 2>>& segments)
-{
-  Skeleton skeleton;
-  const auto node = [&](const Triple& p) {
-    const Point point(p[0], p[1], p[2]);
-    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
-      if (skeleton[v].point == point) {
-        return v;
-      }
-    }
-    const std::size_t v = add_vertex(skeleton);
-    skeleton[v].point = point;
-    return v;
-  };
-  for (const auto& [source, target] : segments) {
-    const std::size_t v = node(source);
-    add_edge(v, node(target), skeleton);
-  }
-  return skeleton;
-}
-
-std::vector<std::array<Triple, 2>> segments_of(const Shape& shape)
-{
-  std::vector<std::array<Triple, 2>> result;
-  for (const Centreline_segment& segment : shape.centreline) {
-    result.push_back({segment.source, segment.target});
-  }
-  return result;
-}
 
 Limb_measures limbs(const Shape& shape, const Skeleton& skeleton)
 {
@@ -112,7 +80,7 @@ TEST(Measure_limbs, components_count_each_by_itself)
 {
   const Shape one = star(3, 6, 1, 0.3);
   const Shape two = merged("two", {one, translated(scaled(one, 0.2), {20, 0, 0})});
-  const Limb_measures m = limbs(two, skeleton_of(segments_of(one)));
+  const Limb_measures m = limbs(two, to_skeleton<Skeleton>(one.centreline));
   EXPECT_EQ(6u, m.limbs.size());
   EXPECT_EQ(3u, m.number_of_limbs_without_tip);
   EXPECT_EQ(0.5, m.tip_recall);
@@ -122,7 +90,7 @@ TEST(Measure_limbs, components_count_each_by_itself)
 TEST(Measure_limbs, the_centreline_has_all_tips_and_no_others)
 {
   for (const Shape& shape : {star(3, 6, 1, 0.3), star(5, 6, 1, 0.3), jack(0.2), capsule(8, 1, 24)}) {
-    const Limb_measures m = limbs(shape, skeleton_of(segments_of(shape)));
+    const Limb_measures m = limbs(shape, to_skeleton<Skeleton>(shape.centreline));
     EXPECT_EQ(1, m.tip_recall) << shape.name;
     EXPECT_EQ(1, m.tip_precision) << shape.name;
   }
@@ -131,10 +99,10 @@ TEST(Measure_limbs, the_centreline_has_all_tips_and_no_others)
 TEST(Measure_limbs, an_arm_left_out_is_missed)
 {
   const Shape shape = star(5, 6, 1, 0.3);
-  std::vector<std::array<Triple, 2>> segments = segments_of(shape);
-  const Triple tip = segments.front()[1];
+  std::vector<Centreline_segment> segments = shape.centreline;
+  const Triple tip = segments.front().target;
   segments.erase(segments.begin());
-  const Limb_measures m = limbs(shape, skeleton_of(segments));
+  const Limb_measures m = limbs(shape, to_skeleton<Skeleton>(segments));
   EXPECT_EQ(0.8, m.tip_recall);
   EXPECT_EQ(1, m.tip_precision);
   EXPECT_EQ(1u, m.number_of_limbs_without_tip);
@@ -147,9 +115,9 @@ TEST(Measure_limbs, an_arm_left_out_is_missed)
 TEST(Measure_limbs, a_tip_half_way_is_none_of_the_limb)
 {
   const Shape shape = star(5, 6, 1, 0.3);
-  std::vector<std::array<Triple, 2>> segments = segments_of(shape);
-  segments.front()[1] = 0.25 * segments.front()[1];
-  const Limb_measures m = limbs(shape, skeleton_of(segments));
+  std::vector<Centreline_segment> segments = shape.centreline;
+  segments.front().target = 0.25 * segments.front().target;
+  const Limb_measures m = limbs(shape, to_skeleton<Skeleton>(segments));
   EXPECT_EQ(0.8, m.tip_recall);
   EXPECT_EQ(0.8, m.tip_precision);
 }
@@ -158,12 +126,12 @@ TEST(Measure_limbs, a_spur_is_one_tip_too_many_wherever_it_is)
 {
   const Shape shape = star(5, 6, 1, 0.3);
   for (const double place : {0.2, 0.9}) {
-    std::vector<std::array<Triple, 2>> segments = segments_of(shape);
-    const Triple tip = segments.front()[1];
-    segments.front()[1] = place * tip;
-    segments.push_back({place * tip, tip});
-    segments.push_back({place * tip, place * tip + Triple{0, 0, 0.7}});
-    const Limb_measures m = limbs(shape, skeleton_of(segments));
+    std::vector<Centreline_segment> segments = shape.centreline;
+    const Triple tip = segments.front().target;
+    segments.front().target = place * tip;
+    segments.push_back({place * tip, tip, 0, 0});
+    segments.push_back({place * tip, place * tip + Triple{0, 0, 0.7}, 0, 0});
+    const Limb_measures m = limbs(shape, to_skeleton<Skeleton>(segments));
     EXPECT_EQ(1, m.tip_recall);
     EXPECT_EQ(5. / 6, m.tip_precision);
     EXPECT_EQ(1u, m.number_of_tips_without_limb);

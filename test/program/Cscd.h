@@ -10,13 +10,12 @@
 #include "support/Temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <filesystem>
-#include <iterator>
 #include <string>
 #include <sys/wait.h>
 #include <vector>
@@ -52,10 +51,12 @@ struct Outcome
   std::string err;
 };
 
-/// A test that runs the program in a folder of its own.
+/// A test that runs the program in a folder of its own, which holds torus.off.
 class Cscd : public testing::Test
 {
 protected:
+  Cscd() { m_folder.write("torus.off", off(torus())); }
+
   /// Runs the program in the test's folder, in a shell: arguments may redirect.
   /// \param before the first commands of the shell, with a semicolon, or the variables that the program gets
   Outcome run(const std::string& arguments, const std::string& before = "")
@@ -67,11 +68,16 @@ protected:
             read_file(m_streams.file("err"))};
   }
 
-  std::string content(const std::string& name) const { return read_file(m_folder.file(name)); }
-  std::ptrdiff_t number_of_files() const
+  /// As run(), and expects success.
+  Outcome run_well(const std::string& arguments, const std::string& before = "")
   {
-    return std::distance(std::filesystem::directory_iterator(m_folder.path()), std::filesystem::directory_iterator());
+    Outcome outcome = run(arguments, before);
+    EXPECT_EQ(0, outcome.status) << arguments << ": " << outcome.err;
+    return outcome;
   }
+
+  std::string content(const std::string& name) const { return read_file(m_folder.file(name)); }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(content(name)); }
 
   /// Expects a refusal in one line that holds all `parts`.
   void expect_refusal(const std::string& arguments, int status, const std::vector<std::string>& parts)

@@ -134,7 +134,7 @@ TEST_F(Faults, without_the_memory_that_it_needs_there_is_a_message_and_no_output
   const Outcome outcome = run("skeletonize large.off --quiet -o large.graph", "ulimit -d 40000;");
   EXPECT_EQ(outcome.status, 3);
   EXPECT_NE(outcome.err.find("not enough memory"), std::string::npos) << outcome.err;
-  EXPECT_EQ(number_of_files(), 2);
+  EXPECT_EQ(m_folder.number_of_files(), 2);
 }
 
 TEST_F(Faults, killed_at_any_time_no_output_is_half_written)

@@ -6,6 +6,7 @@
 #ifndef CSCD_TEST_SUPPORT_TEMPORARY_FOLDER_H
 #define CSCD_TEST_SUPPORT_TEMPORARY_FOLDER_H
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -41,6 +42,11 @@ public:
   {
     std::ofstream(file(name), std::ios::binary) << content;
     return file(name);
+  }
+
+  std::ptrdiff_t number_of_files() const
+  {
+    return std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator());
   }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a shape to a mesh of any type, and back.
+// From a shape to a mesh or a skeleton of any type, and from a mesh back.
 
 #ifndef CSCD_TEST_SUPPORT_CONVERT_SHAPE_H
 #define CSCD_TEST_SUPPORT_CONVERT_SHAPE_H
@@ -70,6 +70,29 @@ Shape to_shape(const Mesh& mesh)
     shape.triangles.push_back(triangle);
   }
   return shape;
+}
+
+/// The skeleton of straight segments, with their radii; equal ends are one node.
+template <class Skeleton>
+Skeleton to_skeleton(const std::vector<Centreline_segment>& segments)
+{
+  Skeleton skeleton;
+  const auto node = [&](const Triple& p, double radius) {
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+      if (to_triple(skeleton[v].point) == p) {
+        return v;
+      }
+    }
+    const std::size_t v = add_vertex(skeleton);
+    skeleton[v].point = {p[0], p[1], p[2]};
+    skeleton[v].radius = radius;
+    return v;
+  };
+  for (const Centreline_segment& segment : segments) {
+    const std::size_t source = node(segment.source, segment.source_radius);
+    add_edge(source, node(segment.target, segment.target_radius), skeleton);
+  }
+  return skeleton;
 }
 
 } // namespace CSCD::test
