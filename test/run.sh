@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs missing packages (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: the tests
-# that take seconds first, then parts under sanitizers, then the tests that take longer. Takes no arguments; may be run
-# again.
+# that take seconds first, then those that take longer. Meanwhile, clang-tidy and sanitizers run. Takes no
+# arguments; may be run again.
 
 set -euo pipefail
 
@@ -69,36 +69,36 @@ step "configure" configure checked
 step "format" cmake --build --preset checked --target format_check
 step "order of includes" run_tests checked --tests-regex '^includes_point_down'
 
-# begin_beside <name> <command>... starts a command that takes the processor time that the steps leave, and is awaited at
+# begin_in_background <name> <command>... starts a command that takes the processor time that the steps leave, and is awaited at
 # the end. It has a process group of its own, so that it can be ended whole.
-names_beside=()
-groups_beside=()
-outputs_beside=()
-begin_beside()
+background_names=()
+background_groups=()
+background_outputs=()
+begin_in_background()
 {
-  names_beside+=("$1")
-  outputs_beside+=("$(mktemp)")
+  background_names+=("$1")
+  background_outputs+=("$(mktemp)")
   shift
   set -m
-  ( renice -n 19 -p "$BASHPID" >/dev/null && "$@" ) >"${outputs_beside[-1]}" 2>&1 &
-  groups_beside+=($!)
+  ( renice -n 19 -p "$BASHPID" >/dev/null && "$@" ) >"${background_outputs[-1]}" 2>&1 &
+  background_groups+=($!)
   set +m
 }
-end_all_beside()
+end_background()
 {
   local group
-  for group in "${groups_beside[@]}"; do
+  for group in "${background_groups[@]}"; do
     kill -- "-$group" 2>/dev/null || true
   done
-  rm -f "${outputs_beside[@]}"
+  rm -f "${background_outputs[@]}"
 }
-trap end_all_beside EXIT
-# finish_beside <index>
-finish_beside()
+trap end_background EXIT
+# finish_in_background <index>
+finish_in_background()
 {
   local status=0
-  wait "${groups_beside[$1]}" || status=$?
-  cat "${outputs_beside[$1]}"
+  wait "${background_groups[$1]}" || status=$?
+  cat "${background_outputs[$1]}"
   return "$status"
 }
 
@@ -114,14 +114,14 @@ check_by_sanitizers()
 
 # clang-tidy reads one file for minutes: it starts first. The sanitizers start when the large build is over, so that two
 # builds do not share the memory.
-begin_beside "clang-tidy" build_preset tidy
+begin_in_background "clang-tidy" build_preset tidy
 step "build" cmake --build --preset checked --parallel "$jobs"
-begin_beside "sanitizers" check_by_sanitizers
+begin_in_background "sanitizers" check_by_sanitizers
 step "fast tests" run_tests checked --parallel "$jobs" --label-exclude 'slow|python|web'
 step "Python module" run_tests checked --label-regex python
 step "slow tests" run_tests checked --parallel "$jobs" --label-regex slow
-for index in "${!names_beside[@]}"; do
-  step "${names_beside[$index]}, the rest of it" finish_beside "$index"
+for index in "${!background_names[@]}"; do
+  step "${background_names[$index]}, the rest of it" finish_in_background "$index"
 done
 
 echo "Seconds of each step, $SECONDS in all:"
