@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs missing packages (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: the tests
-# that take seconds first, then those that take longer. Meanwhile, clang-tidy and sanitizers run. Takes no
-# arguments; may be run again.
+# that take seconds first, then those that take longer. Meanwhile, clang-tidy and sanitizers run. Takes no arguments; may
+# be run again.
 
 set -euo pipefail
 
@@ -69,8 +69,8 @@ step "configure" configure checked
 step "format" cmake --build --preset checked --target format_check
 step "order of includes" run_tests checked --tests-regex '^includes_point_down'
 
-# begin_in_background <name> <command>... starts a command that takes the processor time that the steps leave, and is awaited at
-# the end. It has a process group of its own, so that it can be ended whole.
+# begin_in_background <name> <command>... starts a command that takes the processor time that the steps leave. It is
+# awaited at the end, and has a process group of its own, so that it can be ended whole.
 background_names=()
 background_groups=()
 background_outputs=()
