@@ -73,7 +73,7 @@ Skeletonization_result compute_recognized_tree_skeleton(const Input& input, cons
 {
   Skeletonization_result result = compute_tree_skeleton(input, options);
   std::vector<std::string>& warnings = result.tree->warnings;
-  warnings.insert(warnings.begin(), reason + ": taken for a scan of trees; --shape surface or tree decides");
+  warnings.insert(warnings.begin(), reason + ": treated as a scan of trees; --shape surface or tree decides");
   return result;
 }
 

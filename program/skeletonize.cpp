@@ -404,7 +404,7 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
 {
   CSCD::internal::write_html_page(
       out, {assigned_surface(input, result.skeleton), result.skeleton, make_cloud(input, result)},
-      result.tree ? name + ", taken for a scan of trees" : name);
+      result.tree ? name + ", treated as a scan of trees" : name);
 }
 
 namespace {

@@ -382,7 +382,7 @@ TEST_F(Cscd, skeletonizes_trees)
   EXPECT_EQ(0, limbs[1].at("parent"));
   EXPECT_EQ(1, limbs[1].at("order"));
   EXPECT_NE(std::string::npos, content("t.swc").find(" -1\n"));
-  EXPECT_NE(std::string::npos, content("t.html").find("taken for a scan of trees"));
+  EXPECT_NE(std::string::npos, content("t.html").find("treated as a scan of trees"));
 }
 
 std::size_t number_of_lines(const std::string& text)
@@ -533,7 +533,7 @@ TEST_F(Cscd, recognizes_trees)
 {
   m_folder.write("pole.xyz", pole());
   const Outcome outcome = run_well("skeletonize pole.xyz -o t.graph --root 0,0,6 --report r.json");
-  EXPECT_NE(std::string::npos, outcome.err.find("taken for a scan of trees")) << outcome.err;
+  EXPECT_NE(std::string::npos, outcome.err.find("treated as a scan of trees")) << outcome.err;
   EXPECT_EQ("tree", json("r.json").at("method"));
   double x = 1;
   double y = 1;
