@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The crossings of separators, and the pieces of a surface cut by disjoint ones.
+// The crossings of separators, the pieces of a surface cut by disjoint ones, and the loops across these.
 
 #ifndef CSCD_PACKING_CUT_GRAPH_H
 #define CSCD_PACKING_CUT_GRAPH_H
