@@ -97,7 +97,7 @@ void extract_cut_locus(const PointRange& points, const std::vector<Point_descrip
   for (const auto& source : sources) {
     source_numbers.push_back(numbering.number(source));
     if (source_numbers.back() == no_index) {
-      throw Input_error("a source is no point of the set: give the number or index of one");
+      throw Input_error("a source is not a point of the set: give the number or index of one");
     }
   }
   std::vector<double> distances;
