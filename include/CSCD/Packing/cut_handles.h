@@ -283,6 +283,34 @@ inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>&
   }
 }
 
+/// For each separator of `cut_graph`, whether it is on a limb: one side of it has no handle. The pieces at the ends are
+/// cut off one by one. Linear.
+inline std::vector<char> separators_of_limbs(const Cut_graph& cut_graph, std::size_t number_of_separators)
+{
+  const std::vector<Cut_graph::Piece>& pieces = cut_graph.pieces();
+  std::vector<char> result(number_of_separators, 0);
+  std::vector<std::size_t> degree;
+  std::vector<Index> ends;
+  for (Index piece = 0; piece < pieces.size(); ++piece) {
+    degree.push_back(pieces[piece].separators.size());
+    if (degree.back() == 1) {
+      ends.push_back(piece);
+    }
+  }
+  while (!ends.empty()) {
+    const Index piece = ends.back();
+    ends.pop_back();
+    for (const Index i : pieces[piece].separators) {
+      const Index other = cut_graph.sides(i).other(piece);
+      if (result[i] == 0 && --degree[other] == 1) {
+        ends.push_back(other);
+      }
+      result[i] = 1;
+    }
+  }
+  return result;
+}
+
 /// The packed separators, at each narrow hole one at most: a branch through more of them would hardly lead around the
 /// hole, as its nodes, in the middle of the body, are far apart compared with the hole.
 inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_surface& surface,
@@ -298,7 +326,11 @@ inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_surface
   const auto length = [&](Index i) { return float(separators[packed[i]].length); };
   Loops_across loops(surface, separators, packed, packing.cut_graph());
   std::vector<Index> number_of_loops(packed.size(), 0); // loops around narrow holes that cross a separator
+  const std::vector<char> is_on_limb = separators_of_limbs(packing.cut_graph(), packed.size());
   for (Index i = 0; i < packed.size(); ++i) {
+    if (is_on_limb[i] != 0) {
+      continue; // no loop crosses it once
+    }
     const Loops_across::Loop loop = loops.find(i, true, narrow_share * length(i));
     const bool is_narrow =
         !loop.vertices.empty() && std::all_of(loop.crossed.begin(), loop.crossed.end(),
