@@ -25,7 +25,7 @@ namespace {
 }
 
 /// Opens `path`, lets `write` write to it and closes it.
-void write_directly(const std::string& path, const std::string& filename, const File_group::Write& write)
+void write_directly(const std::filesystem::path& path, const std::string& filename, const File_group::Write& write)
 {
   errno = 0;
   std::ofstream out(path, std::ios::binary);
@@ -53,10 +53,10 @@ std::filesystem::path place_of(const std::string& filename)
 }
 
 /// A name next to `path` that no other process uses, without the name of `path`, which may be as long as names can be.
-std::string temporary_name(const std::filesystem::path& path)
+std::filesystem::path temporary_name(const std::filesystem::path& path)
 {
   std::random_device device;
-  return (path.parent_path() / (".cscd_" + std::to_string(device()) + ".part")).string();
+  return path.parent_path() / (".cscd_" + std::to_string(device()) + ".part");
 }
 
 } // namespace
@@ -83,7 +83,7 @@ void File_group::write(const std::string& filename, const Write& write)
   }
   const fs::path place = place_of(filename);
   m_files.push_back({filename, place, temporary_name(place)});
-  const std::string& temporary = m_files.back().temporary;
+  const fs::path& temporary = m_files.back().temporary;
   if (fs::exists(status)) {
     // Before the file holds anything, only those who may read the old one get to read it.
     write_directly(temporary, filename, [](std::ostream&) {});
@@ -94,6 +94,7 @@ void File_group::write(const std::string& filename, const Write& write)
 
 void File_group::publish()
 {
+  // Needs no memory, which might be lacking between two files.
   for (const File& file : m_files) {
     std::error_code error;
     std::filesystem::rename(file.temporary, file.place, error);

@@ -42,7 +42,7 @@ private:
   {
     std::string name;
     std::filesystem::path place;
-    std::string temporary;
+    std::filesystem::path temporary;
   };
 
   std::vector<File> m_files;
