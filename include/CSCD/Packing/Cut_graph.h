@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The crossings of separators, the pieces of a surface cut by disjoint ones, and the loops across these.
+// The crossings of separators, and the pieces of a surface cut by disjoint ones.
 
 #ifndef CSCD_PACKING_CUT_GRAPH_H
 #define CSCD_PACKING_CUT_GRAPH_H
 
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -330,101 +328,6 @@ private:
   std::vector<Index> m_piece; ///< of every vertex, and of every inner part of an edge
   std::vector<Piece> m_pieces;
   std::vector<Sides> m_sides;
-};
-
-/// Finds the shortest loops that cross a separator: around the hole that it passes, if there is one.
-class Loops_across
-{
-public:
-  /// A loop along edges; none without vertices.
-  struct Loop
-  {
-    std::vector<Index> vertices; ///< from the right to the left side of the separator
-    std::vector<Index> crossed;  ///< the positions of all separators that it crosses
-    float length = 0;
-  };
-
-  /// All are referred to. O(n) for n edges of the surface.
-  /// \param packed the separators along which `cut_graph` is cut, as positions in the list of all separators
-  Loops_across(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-               const std::vector<Index>& packed, const Cut_graph& cut_graph)
-      : m_surface(surface), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
-        m_crossing(surface.number_of_halfedges(),
-                   [&](const auto& add) {
-                     for (Index i = 0; i < packed.size(); ++i) {
-                       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
-                         add(surface.edge(crossing.halfedge), i);
-                       }
-                     }
-                   }),
-        m_search(surface.number_of_vertices()), m_entered(surface.number_of_vertices(), no_index)
-  {
-  }
-
-  /// The loop through the separator at position `i`, if it is shorter than `max_length`. It crosses that once: only by
-  /// the step from its last vertex to the first one. O(n log n) for n vertices that are nearer.
-  /// \param may_cross_others whether it may cross other separators
-  Loop find(Index i, bool may_cross_others, float max_length)
-  {
-    const std::map<Index, float> ends = distances_on_side(i, false);
-    m_search.clear();
-    for (const auto& [vertex, distance] : distances_on_side(i, true)) {
-      m_search.reach(vertex, distance);
-      m_entered[vertex] = no_index;
-    }
-    Loop loop{{}, {i}, max_length};
-    m_search.spread([&](Index vertex, float distance) {
-      if (distance >= loop.length) {
-        m_search.clear();
-        return;
-      }
-      const auto end = ends.find(vertex);
-      if (end != ends.end() && distance + end->second < loop.length) {
-        loop.length = distance + end->second;
-        loop.vertices = {vertex};
-      }
-      for (const Index h : m_surface.outgoing(vertex)) {
-        const auto crossing = m_crossing[m_surface.edge(h)];
-        const bool is_free =
-            may_cross_others ? std::find(crossing.begin(), crossing.end(), i) == crossing.end() : crossing.empty();
-        if (is_free && m_search.reach(m_surface.target(h), distance + float(m_surface.length(h)))) {
-          m_entered[m_surface.target(h)] = h;
-        }
-      }
-    });
-    while (!loop.vertices.empty() && m_entered[loop.vertices.back()] != no_index) {
-      const Index h = m_entered[loop.vertices.back()];
-      const auto crossing = m_crossing[m_surface.edge(h)];
-      loop.crossed.insert(loop.crossed.end(), crossing.begin(), crossing.end());
-      loop.vertices.push_back(m_surface.origin(h));
-    }
-    return loop;
-  }
-
-private:
-  /// The vertices next to the separator at position `i` on its left or right side, with the distances from it.
-  std::map<Index, float> distances_on_side(Index i, bool is_left) const
-  {
-    const Cut_graph::Sides& sides = m_cut_graph.sides(i);
-    std::map<Index, float> result;
-    for (const Edge_crossing& crossing : m_separators[m_packed[i]].crossings) {
-      const Index vertex = is_left ? m_surface.target(crossing.halfedge) : m_surface.origin(crossing.halfedge);
-      if (m_cut_graph.piece_of_vertex(vertex) == (is_left ? sides.left : sides.right)) {
-        const auto distance = float((m_surface.point(vertex) - crossing_point(m_surface, crossing)).norm());
-        float& least = result.emplace(vertex, distance).first->second;
-        least = std::min(least, distance);
-      }
-    }
-    return result;
-  }
-
-  const Triangulated_surface& m_surface;
-  const std::vector<Separator>& m_separators;
-  const std::vector<Index>& m_packed;
-  const Cut_graph& m_cut_graph;
-  Compressed_rows<Index> m_crossing; ///< for every edge, by its number, the positions of the separators that cross it
-  Dijkstra_search m_search;          ///< over vertices
-  std::vector<Index> m_entered;      ///< for each reached vertex, the halfedge on the way to it
 };
 
 } // namespace CSCD::internal

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One separator for each narrow hole, and one for each handle that no packed separator cuts. With both, the packing
-// stage of the default engine.
+// No separator around a hollow, one at each narrow hole, and one around each handle that no packed separator cuts: the
+// packing stage of the default engine.
 
 #ifndef CSCD_PACKING_CUT_HANDLES_H
 #define CSCD_PACKING_CUT_HANDLES_H
 
 #include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Packing/Loops_across.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -19,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -313,7 +316,7 @@ inline std::vector<char> separators_of_limbs(const Cut_graph& cut_graph, std::si
 
 /// The packed separators, at each narrow hole one at most: a branch through more of them would hardly lead around the
 /// hole, as its nodes, in the middle of the body, are far apart compared with the hole.
-inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_surface& surface,
+inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_solid& solid,
                                                       const std::vector<Separator>& separators,
                                                       const Separator_packing& packing)
 {
@@ -321,20 +324,25 @@ inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_surface
   // With 0.2 to 0.9, most cycles lead around the holes of drilled plates and blocks; with 0.6, a short pipe loses its
   // shape.
   constexpr float narrow_share = 0.2F;
+  // Likewise where the center of the separator is outside, as in the hollow of a pipe whose wall it follows.
+  constexpr float hollow_share = 0.8F;
 
   const std::vector<Index>& packed = packing.packed();
-  const auto length = [&](Index i) { return float(separators[packed[i]].length); };
-  Loops_across loops(surface, separators, packed, packing.cut_graph());
+  std::vector<float> max_length; // of loops that cross the separator
+  for (const Index separator : packed) {
+    const float share = solid.is_inside(separators[separator].center) ? narrow_share : hollow_share;
+    max_length.push_back(share * float(separators[separator].length));
+  }
+  Loops_across loops(solid.triangulation(), separators, packed);
   std::vector<Index> number_of_loops(packed.size(), 0); // loops around narrow holes that cross a separator
   const std::vector<char> is_on_limb = separators_of_limbs(packing.cut_graph(), packed.size());
   for (Index i = 0; i < packed.size(); ++i) {
     if (is_on_limb[i] != 0) {
       continue; // no loop crosses it once
     }
-    const Loops_across::Loop loop = loops.find(i, true, narrow_share * length(i));
-    const bool is_narrow =
-        !loop.vertices.empty() && std::all_of(loop.crossed.begin(), loop.crossed.end(),
-                                              [&](Index j) { return loop.length < narrow_share * length(j); });
+    const Loops_across::Loop loop = loops.find(i, true, max_length[i]);
+    const bool is_narrow = !loop.vertices.empty() && std::all_of(loop.crossed.begin(), loop.crossed.end(),
+                                                                 [&](Index j) { return loop.length < max_length[j]; });
     for (const Index crossed : loop.crossed) {
       number_of_loops[crossed] += is_narrow ? 1 : 0;
     }
@@ -360,16 +368,87 @@ inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_surface
   return result;
 }
 
+/// For each of `separators`, whether it is around something hollow, such as a pipe with a wall, as the packed ones
+/// show: a cycle through it would be contractible in the body.
+inline std::vector<char> separators_around_hollows(const Triangulated_solid& solid,
+                                                   const std::vector<Separator>& separators,
+                                                   const Separator_packing& packing)
+{
+  const Triangulated_surface& surface = solid.triangulation();
+  const std::vector<Index>& packed = packing.packed();
+  const Cut_graph& cut_graph = packing.cut_graph();
+  Disjoint_sets components(cut_graph.pieces().size());
+  for (Index i = 0; i < packed.size(); ++i) {
+    components.join(cut_graph.sides(i).left, cut_graph.sides(i).right);
+  }
+  const auto component = [&](Index j) { return components.find(cut_graph.piece_of_vertex(separators[j].source)); };
+  std::vector<char> result(separators.size(), 0);
+  const std::vector<char> is_on_limb = separators_of_limbs(cut_graph, packed.size());
+  std::vector<char> is_done(packed.size(), 0);
+  const Loops_through_pieces find_loop(surface, separators, packed, cut_graph);
+  for (Index i = 0; i < packed.size(); ++i) {
+    if (is_on_limb[i] != 0) {
+      result[packed[i]] = is_around_hollow(solid, separators[packed[i]], 0) ? 1 : 0;
+      continue;
+    }
+    if (is_done[i] != 0) {
+      continue;
+    }
+    const Loops_through_pieces::Loop loop = find_loop(i);
+    bool is_linked = false;
+    for (const Index crossed : loop.crossed) {
+      is_done[crossed] = 1;
+      const Linking linking(surface, separators[packed[crossed]].crossings, loop.curve);
+      is_linked = is_linked || (linking.is_consistent() && linking.of_separator != 0);
+    }
+    if (is_linked) {
+      const std::vector<Vector3> linked = curve_off_surface(surface, loop.curve, Linking::offset);
+      for (Index j = 0; j < separators.size(); ++j) {
+        const std::vector<Vector3> other = curve_off_surface(surface, separators[j].crossings, -Linking::offset);
+        const bool is_hollow = component(j) == component(packed[i]) && linking_number(other, linked) != 0;
+        result[j] = result[j] != 0 || is_hollow ? 1 : 0;
+      }
+    }
+  }
+  return result;
+}
+
+/// Packs `separators` after all around something hollow have been removed from them; these are counted in `report`.
+inline std::unique_ptr<Separator_packing> pack_without_hollows(const Triangulated_solid& solid, const Detail& detail,
+                                                               std::vector<Separator>& separators,
+                                                               Skeletonization_report& report)
+{
+  while (true) {
+    auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
+                                                       detail.min_branch_area_ratio());
+    if (solid.genus() == 0) {
+      return packing;
+    }
+    const std::vector<char> is_hollow = separators_around_hollows(solid, separators, *packing);
+    std::vector<Separator> others;
+    for (std::size_t i = 0; i < separators.size(); ++i) {
+      if (is_hollow[i] == 0) {
+        others.push_back(std::move(separators[i]));
+      }
+    }
+    report.number_of_tunnels += separators.size() - others.size();
+    const bool is_done = others.size() == separators.size();
+    separators = std::move(others);
+    if (is_done) {
+      return packing;
+    }
+  }
+}
+
 /// Packs `separators` and cuts the surface along the packed ones. Appends separators around handles that no source has
 /// found.
 inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulated_solid& solid, const Detail& detail,
                                                                 std::vector<Separator>& separators,
                                                                 Skeletonization_report& report)
 {
-  auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
-                                                     detail.min_branch_area_ratio());
+  auto packing = pack_without_hollows(solid, detail, separators, report);
   if (solid.genus() > 0) {
-    const std::vector<Index> kept = packed_once_at_narrow_holes(solid.triangulation(), separators, *packing);
+    const std::vector<Index> kept = packed_once_at_narrow_holes(solid, separators, *packing);
     if (kept.size() < packing->packed().size()) {
       packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, kept);
     }

@@ -169,10 +169,10 @@ double span_inside_share(const Surface& surface, const std::vector<Vector3>& poi
 /// Whether `separator` leads around something hollow, such as the wall of a cup: it is as round as the section of a
 /// limb, but its center, and most of the cone from there, lie outside of the body.
 /// \tparam Surface a model of `SkeletonizationSurface`
+/// \param min_roundness isoperimetric quotient; from 0.65 to 0.85, few cups and vases change
 template <class Surface>
-bool is_around_hollow(const Surface& surface, const Separator& separator)
+bool is_around_hollow(const Surface& surface, const Separator& separator, double min_roundness = 0.75)
 {
-  constexpr double min_roundness = 0.75;    // isoperimetric quotient; from 0.65 to 0.85, few cups and vases change
   constexpr double max_inside_share = 0.35; // in walls of cups up to 0.32, in hollow ears 0.4
   if (separator.is_open || separator.roundness() < min_roundness || surface.is_inside(separator.center)) {
     return false;

@@ -7,6 +7,7 @@
 #define CSCD_SKELETON_CUT_GRAPH_NODES_H
 
 #include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Packing/Loops_across.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
@@ -115,7 +116,7 @@ class Handle_cycle
 public:
   /// O(n) for n edges of the surface. \param cut is referred to
   explicit Handle_cycle(const Cut_solid& cut)
-      : m_cut(cut), m_loops(cut.solid.triangulation(), cut.all_separators, cut.packed, cut.cut_graph)
+      : m_cut(cut), m_loops(cut.solid.triangulation(), cut.all_separators, cut.packed)
   {
   }
 
@@ -125,15 +126,21 @@ public:
   std::vector<Vector3> operator()(Index i)
   {
     const Triangulated_surface& surface = m_cut.solid.triangulation();
+    const std::vector<Edge_crossing>& crossings = m_cut.separator(i).crossings;
     std::vector<Vector3> outline;
-    crossing_points(surface, m_cut.separator(i).crossings, outline);
-    std::vector<Vector3> loop;
-    for (const Index vertex : m_loops.find(i, false, std::numeric_limits<float>::infinity()).vertices) {
-      loop.push_back(surface.point(vertex));
+    crossing_points(surface, crossings, outline);
+    const Loops_across::Loop loop = m_loops.find(i, false, std::numeric_limits<float>::infinity());
+    if (loop.vertices.empty()) {
+      return points_inside(outline);
     }
-    // A loop of one or two vertices surrounds nothing.
-    const bool is_along_separator = inside_share(outline) < (loop.size() < 3 ? 1 : inside_share(loop));
-    return points_inside(is_along_separator ? outline : loop);
+    const std::vector<Edge_crossing> curve = m_loops.curve(loop);
+    std::vector<Vector3> points;
+    crossing_points(surface, curve, points);
+    // As the two cross once, one of them surrounds a hole. Where the surface intersects itself, their cones decide.
+    const Linking linking(surface, crossings, curve);
+    const bool is_along_separator =
+        linking.is_consistent() ? linking.of_loop == 0 : inside_share(outline) < inside_share(points);
+    return points_inside(is_along_separator ? outline : points);
   }
 
 private:
@@ -146,21 +153,33 @@ private:
     return span_inside_share(m_cut.solid, curve, measure_polygon(curve).center);
   }
 
-  /// Points near those that divide the closed `curve` around a hole into parts of equal length.
+  /// Points inside the body near those that divide the closed `curve` around a hole into parts of equal length; none
+  /// where there would be fewer than three.
   std::vector<Vector3> points_inside(const std::vector<Vector3>& curve) const
   {
     const Polygon_measures measures = measure_polygon(curve);
-    const double part_length = measures.length / number_of_nodes;
-    std::vector<Vector3> result;
+    const double part_length = measures.length / double(number_of_nodes);
+    std::vector<Vector3> points;
     double passed = 0;
     for (std::size_t i = 0; i < curve.size(); ++i) {
       const Vector3 way = curve[(i + 1) % curve.size()] - curve[i];
       const double length = way.norm();
-      while (result.size() < number_of_nodes && double(result.size()) * part_length < passed + length) {
-        const double part = (double(result.size()) * part_length - passed) / length;
-        result.push_back(point_inside(curve[i] + part * way, measures));
+      while (points.size() < number_of_nodes && double(points.size()) * part_length < passed + length) {
+        const double part = (double(points.size()) * part_length - passed) / length;
+        points.push_back(curve[i] + part * way);
       }
       passed += length;
+    }
+    std::vector<Vector3> result;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector3 way = points[(i + 1) % points.size()] - points[(i + points.size() - 1) % points.size()];
+      const std::optional<Vector3> inside = point_inside(points[i], way, measures);
+      if (inside) {
+        result.push_back(*inside);
+      }
+    }
+    if (result.size() < 3) {
+      return {};
     }
     move_to_middle(measures, result);
     return result;
@@ -192,15 +211,17 @@ private:
     }
   }
 
-  /// A point inside the body near `point` of a curve around a hole, at most as far from the surface as the curve from
-  /// its center. As `point` may be on the edge of the hole, it is below the surface somewhat farther from the center.
-  Vector3 point_inside(const Vector3& point, const Polygon_measures& curve) const
+  /// A point inside the body near `point` of `curve`, which goes `way` there around a hole, at most as far from the
+  /// surface as a circle of its length from its center. As `point` may be on the edge of the hole, it is below the
+  /// surface somewhat farther out: for a circle, by half of its radius. None where the body has no depth.
+  std::optional<Vector3> point_inside(const Vector3& point, const Vector3& way, const Polygon_measures& curve) const
   {
-    constexpr double relative_distance = 1.5; // from the center
-    const Surface_point foot = m_cut.solid.closest_point(curve.center + relative_distance * (point - curve.center));
+    const Vector3 outwards = way.cross(curve.vector_area).normalized();
+    const Surface_point foot = m_cut.solid.closest_point(point + curve.vector_area.norm() / curve.length * outwards);
     const Vector3 inward = -m_cut.solid.query_surface().face_vector(foot.face).normalized();
     const double radius = curve.length / (2 * boost::math::double_constants::pi);
-    return foot.point + depth_below(m_cut.solid, foot.point, inward, radius).value_or(0) * inward;
+    const std::optional<double> depth = depth_below(m_cut.solid, foot.point, inward, radius);
+    return depth ? std::optional<Vector3>(foot.point + *depth * inward) : std::nullopt;
   }
 
   const Cut_solid& m_cut;

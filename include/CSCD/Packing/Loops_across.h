@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Loops on the surface that cross a separator, and how both are linked: which of them surrounds a hole of the body.
+
+#ifndef CSCD_PACKING_LOOPS_ACROSS_H
+#define CSCD_PACKING_LOOPS_ACROSS_H
+
+#include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector3.h>
+#include <CSCD/input_concepts.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/flat_arrays.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The polygon of a curve on the surface, moved outwards by `offset` relative to the edges. A crossing at the position
+/// 0 is a vertex.
+inline std::vector<Vector3> curve_off_surface(const Triangulated_surface& surface,
+                                              const std::vector<Edge_crossing>& curve, double offset)
+{
+  std::vector<Vector3> result;
+  for (const Edge_crossing& crossing : curve) {
+    const auto [h, position] = crossing;
+    const Vector3 normal =
+        (1 - position) * surface.vertex_normal(surface.origin(h)) + position * surface.vertex_normal(surface.target(h));
+    result.push_back(crossing_point(surface, crossing) + offset * double(surface.length(h)) * normal);
+  }
+  return result;
+}
+
+/// How often two disjoint closed polygons wind around each other: the number of times that, seen from one side, `a`
+/// passes over `b`, with the sign of the direction. O(mn).
+inline int linking_number(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+{
+  // Hardly any two edges of a mesh look parallel from there.
+  const Vector3 up = Vector3(0.531, 0.274, 0.802).normalized();
+  const Vector3 right = up.cross(Vector3::UnitX()).normalized();
+  const Vector3 ahead = up.cross(right);
+  const auto view = [&](const std::vector<Vector3>& points) {
+    std::vector<Vector3> result;
+    for (const Vector3& point : points) {
+      result.emplace_back(right.dot(point), ahead.dot(point), up.dot(point));
+    }
+    result.push_back(result.front());
+    return result;
+  };
+  // Twice the area of a triangle, positive if it turns left.
+  const auto turn = [](const Vector3& p, const Vector3& q, const Vector3& r) {
+    return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
+  };
+  const std::vector<Vector3> over = view(a);
+  const std::vector<Vector3> under = view(b);
+  int result = 0;
+  for (std::size_t i = 0; i + 1 < over.size(); ++i) {
+    double from = turn(over[i], over[i + 1], under[0]);
+    for (std::size_t j = 0; j + 1 < under.size(); ++j) {
+      const double to = turn(over[i], over[i + 1], under[j + 1]);
+      if ((from > 0) != (to > 0)) {
+        const double before = turn(under[j], under[j + 1], over[i]);
+        const double after = turn(under[j], under[j + 1], over[i + 1]);
+        const double height = (after * over[i].z() - before * over[i + 1].z()) / (after - before);
+        const double depth = (to * under[j].z() - from * under[j + 1].z()) / (to - from);
+        result += (before > 0) != (after > 0) && height > depth ? (to > 0 ? 1 : -1) : 0;
+      }
+      from = to;
+    }
+  }
+  return result;
+}
+
+/// How often two closed curves on the surface that cross once, a separator and a loop, wind around each other.
+struct Linking
+{
+  /// How far curves are moved off the surface, relative to the edges.
+  static constexpr double offset = 1e-3;
+
+  /// O(mn) for the numbers of points.
+  Linking(const Triangulated_surface& surface, const std::vector<Edge_crossing>& separator,
+          const std::vector<Edge_crossing>& loop)
+      : of_separator(
+            linking_number(curve_off_surface(surface, separator, -offset), curve_off_surface(surface, loop, offset))),
+        of_loop(
+            linking_number(curve_off_surface(surface, loop, -offset), curve_off_surface(surface, separator, offset)))
+  {
+  }
+
+  /// Whether the numbers are right: where the surface intersects itself, they may not be.
+  bool is_consistent() const { return std::abs(of_separator - of_loop) == 1; }
+
+  /// Of the separator, pushed into the body, with the loop, pushed out of it: 0 if the separator bounds a surface in
+  /// the body.
+  int of_separator;
+  /// Of the loop, pushed into the body, with the separator, pushed out of it.
+  int of_loop;
+};
+
+/// Finds the shortest loops that cross a separator: around the hole that it passes, if there is one.
+class Loops_across
+{
+public:
+  /// A loop along edges; none without vertices.
+  struct Loop
+  {
+    std::vector<Index> vertices; ///< from the right to the left side of the separator
+    std::vector<Index> crossed;  ///< the positions of all separators that it crosses
+    float length = 0;
+    Index right = no_index; ///< the crossing of the separator next to the first vertex
+    Index left = no_index;  ///< the crossing next to the last vertex
+  };
+
+  /// All are referred to. O(n) for n edges of the surface.
+  /// \param packed disjoint separators, as positions in the list of all separators
+  Loops_across(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+               const std::vector<Index>& packed)
+      : m_surface(surface), m_separators(separators), m_packed(packed),
+        m_crossing(surface.number_of_halfedges(),
+                   [&](const auto& add) {
+                     for (Index i = 0; i < packed.size(); ++i) {
+                       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
+                         const bool is_twin = surface.edge(crossing.halfedge) != crossing.halfedge;
+                         add(surface.edge(crossing.halfedge), {i, is_twin ? 1 - crossing.position : crossing.position});
+                       }
+                     }
+                   }),
+        m_is_next_to_crossing(surface.number_of_vertices(), 0), m_search(surface.number_of_vertices()),
+        m_entered(surface.number_of_vertices(), no_index)
+  {
+    for (const Index separator : packed) {
+      for (const Edge_crossing& crossing : separators[separator].crossings) {
+        m_is_next_to_crossing[surface.origin(crossing.halfedge)] = 1;
+        m_is_next_to_crossing[surface.target(crossing.halfedge)] = 1;
+      }
+    }
+  }
+
+  /// The loop through the separator at position `i`, if it is shorter than `max_length`. It crosses that once: only by
+  /// the step from its last vertex to the first one. O(n log n) for n vertices that are nearer.
+  /// \param may_cross_others whether it may cross other separators
+  Loop find(Index i, bool may_cross_others, float max_length)
+  {
+    const std::map<Index, Nearest_crossing> ends = crossings_on_side(i, false);
+    const std::map<Index, Nearest_crossing> begins = crossings_on_side(i, true);
+    m_search.clear();
+    for (const auto& [vertex, nearest] : begins) {
+      m_search.reach(vertex, nearest.first);
+      m_entered[vertex] = no_index;
+    }
+    Loop loop;
+    loop.crossed = {i};
+    loop.length = max_length;
+    m_search.spread([&](Index vertex, float distance) {
+      if (distance >= loop.length) {
+        m_search.clear();
+        return;
+      }
+      if (m_is_next_to_crossing[vertex] != 0) {
+        const auto end = ends.find(vertex);
+        if (end != ends.end() && distance + end->second.first < loop.length) {
+          loop.length = distance + end->second.first;
+          loop.vertices = {vertex};
+          loop.right = end->second.second;
+        }
+      }
+      for (const Index h : m_surface.outgoing(vertex)) {
+        const float length = distance + float(m_surface.length(h));
+        const bool is_free = m_is_next_to_crossing[vertex] == 0 || is_free_to_cross(h, i, may_cross_others);
+        if (is_free && length < loop.length && m_search.reach(m_surface.target(h), length)) {
+          m_entered[m_surface.target(h)] = h;
+        }
+      }
+    });
+    while (!loop.vertices.empty() && m_entered[loop.vertices.back()] != no_index) {
+      const Index h = m_entered[loop.vertices.back()];
+      for (const Crossing& crossing : m_crossing[m_surface.edge(h)]) {
+        loop.crossed.push_back(crossing.separator);
+      }
+      loop.vertices.push_back(m_surface.origin(h));
+    }
+    if (!loop.vertices.empty()) {
+      loop.left = begins.at(loop.vertices.back()).second;
+    }
+    return loop;
+  }
+
+  /// The curve of `loop`, closed along its separator. \pre it has vertices
+  std::vector<Edge_crossing> curve(const Loop& loop) const
+  {
+    std::vector<Edge_crossing> result;
+    for (const Index vertex : loop.vertices) {
+      result.push_back({*m_surface.outgoing(vertex).begin(), 0});
+    }
+    const std::vector<Edge_crossing>& crossings = m_separators[m_packed[loop.crossed.front()]].crossings;
+    const auto size = Index(crossings.size());
+    const bool is_forward = (loop.right + size - loop.left) % size <= size / 2; // the shorter way
+    for (Index k = loop.left;; k = (k + (is_forward ? 1 : size - 1)) % size) {
+      result.push_back(crossings[k]);
+      if (k == loop.right) {
+        return result;
+      }
+    }
+  }
+
+private:
+  /// The distance of a vertex from a crossing of a separator, and the position of this crossing.
+  using Nearest_crossing = std::pair<float, Index>;
+
+  /// Where the packed separator at position `separator` crosses an edge.
+  struct Crossing
+  {
+    Index separator;
+    double position; ///< from the origin of the halfedge that stands for the edge
+  };
+
+  bool is_free_to_cross(Index halfedge, Index i, bool may_cross_others) const
+  {
+    const auto crossings = m_crossing[m_surface.edge(halfedge)];
+    return may_cross_others ? std::none_of(crossings.begin(), crossings.end(),
+                                           [i](const Crossing& crossing) { return crossing.separator == i; })
+                            : crossings.empty();
+  }
+
+  /// Whether a separator crosses the edge between `crossing` and its origin or, if `is_left`, its target.
+  bool is_crossed_between(const Edge_crossing& crossing, bool is_left) const
+  {
+    const Index edge = m_surface.edge(crossing.halfedge);
+    const bool is_reversed = edge != crossing.halfedge;
+    const double own = is_reversed ? 1 - crossing.position : crossing.position;
+    const auto crossings = m_crossing[edge];
+    return std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& other) {
+      return is_left != is_reversed ? other.position > own : other.position < own;
+    });
+  }
+
+  /// The vertices next to the separator at position `i` on its left or right side.
+  std::map<Index, Nearest_crossing> crossings_on_side(Index i, bool is_left) const
+  {
+    std::map<Index, Nearest_crossing> result;
+    const std::vector<Edge_crossing>& crossings = m_separators[m_packed[i]].crossings;
+    for (Index k = 0; k < crossings.size(); ++k) {
+      const Edge_crossing& crossing = crossings[k];
+      const Index vertex = is_left ? m_surface.target(crossing.halfedge) : m_surface.origin(crossing.halfedge);
+      if (!is_crossed_between(crossing, is_left)) {
+        const Nearest_crossing nearest{float((m_surface.point(vertex) - crossing_point(m_surface, crossing)).norm()),
+                                       k};
+        Nearest_crossing& least = result.emplace(vertex, nearest).first->second;
+        least = std::min(least, nearest);
+      }
+    }
+    return result;
+  }
+
+  const Triangulated_surface& m_surface;
+  const std::vector<Separator>& m_separators;
+  const std::vector<Index>& m_packed;
+  Compressed_rows<Crossing> m_crossing;    ///< of every edge, by its number
+  std::vector<char> m_is_next_to_crossing; ///< of every vertex, whether an edge there is crossed
+  Dijkstra_search m_search;                ///< over vertices
+  std::vector<Index> m_entered;            ///< for each reached vertex, the halfedge on the way to it
+};
+
+/// Finds loops that cross a separator once, along edges of the surface and as few other separators as possible: each
+/// once, and by an edge that no other one crosses.
+class Loops_through_pieces
+{
+public:
+  /// Grows a tree in each piece of `surface`, which is cut along the separators `packed` into `cut_graph`; linear. The
+  /// surface and the pieces are referred to.
+  Loops_through_pieces(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+                       const std::vector<Index>& packed, const Cut_graph& cut_graph)
+      : m_surface(surface), m_cut_graph(cut_graph), m_door(packed.size(), no_index),
+        m_parent(surface.number_of_vertices(), no_index)
+  {
+    std::vector<Index> number_of_crossings(surface.number_of_halfedges(), 0);
+    for (const Index separator : packed) {
+      for (const Edge_crossing& crossing : separators[separator].crossings) {
+        ++number_of_crossings[surface.edge(crossing.halfedge)];
+      }
+    }
+    for (Index i = 0; i < m_door.size(); ++i) {
+      for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
+        if (number_of_crossings[surface.edge(crossing.halfedge)] == 1) {
+          m_door[i] = crossing.halfedge;
+        }
+      }
+    }
+    for (Index root = 0; root < m_parent.size(); ++root) {
+      if (m_parent[root] == no_index) {
+        grow_tree(root, number_of_crossings);
+      }
+    }
+  }
+
+  /// The separators that a loop crosses, as positions among the packed ones, and its vertices, as a curve.
+  struct Loop
+  {
+    std::vector<Index> crossed;
+    std::vector<Edge_crossing> curve;
+  };
+
+  /// A loop through the separator at position `i`; empty if there is none. Linear in the number of pieces and vertices
+  /// on the way.
+  Loop operator()(Index i) const
+  {
+    Loop result{{i}, {}};
+    const Cut_graph::Sides& sides = m_cut_graph.sides(i);
+    std::vector<Index> entered(m_cut_graph.pieces().size(), no_index); // the separator on the way back
+    std::vector<Index> reached{sides.right};
+    entered[sides.right] = i;
+    for (std::size_t k = 0; k < reached.size() && entered[sides.left] == no_index; ++k) {
+      for (const Index separator : m_cut_graph.pieces()[reached[k]].separators) {
+        const Index other = m_cut_graph.sides(separator).other(reached[k]);
+        if (separator != i && entered[other] == no_index) {
+          entered[other] = separator;
+          reached.push_back(other);
+        }
+      }
+    }
+    Index piece = sides.left;
+    Index from = m_door[i] == no_index ? no_index : m_surface.target(m_door[i]);
+    while (from != no_index && entered[piece] != no_index) {
+      const Index exit = entered[piece];
+      if (m_door[exit] == no_index) {
+        break;
+      }
+      const bool is_last = exit == i; // out to the right of `i`, where the loop closes
+      const bool is_on_right = is_last || m_cut_graph.sides(exit).right == piece;
+      const Index origin = m_surface.origin(m_door[exit]);
+      const Index target = m_surface.target(m_door[exit]);
+      if (!append_path(from, is_on_right ? origin : target, result.curve)) {
+        break;
+      }
+      if (is_last) {
+        return result;
+      }
+      result.crossed.push_back(exit);
+      from = is_on_right ? target : origin;
+      piece = m_cut_graph.sides(exit).other(piece);
+    }
+    return {};
+  }
+
+private:
+  void grow_tree(Index root, const std::vector<Index>& number_of_crossings)
+  {
+    std::vector<Index> reached{root};
+    m_parent[root] = root;
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+      for (const Index h : m_surface.outgoing(reached[k])) {
+        const Index neighbor = m_surface.target(h);
+        if (m_parent[neighbor] == no_index && number_of_crossings[m_surface.edge(h)] == 0) {
+          m_parent[neighbor] = reached[k];
+          reached.push_back(neighbor);
+        }
+      }
+    }
+  }
+
+  /// Appends the path in the tree of both from `from` to `to`. \return whether they are in one tree
+  bool append_path(Index from, Index to, std::vector<Edge_crossing>& curve) const
+  {
+    std::vector<Index> forth = path_to_root(from);
+    std::vector<Index> back = path_to_root(to);
+    if (forth.back() != back.back()) {
+      return false;
+    }
+    while (forth.size() > 1 && back.size() > 1 && forth[forth.size() - 2] == back[back.size() - 2]) {
+      forth.pop_back();
+      back.pop_back();
+    }
+    forth.pop_back(); // where they meet
+    forth.insert(forth.end(), back.rbegin(), back.rend());
+    for (const Index vertex : forth) {
+      curve.push_back({*m_surface.outgoing(vertex).begin(), 0});
+    }
+    return true;
+  }
+
+  std::vector<Index> path_to_root(Index vertex) const
+  {
+    std::vector<Index> result{vertex};
+    while (m_parent[result.back()] != result.back()) {
+      result.push_back(m_parent[result.back()]);
+    }
+    return result;
+  }
+
+  const Triangulated_surface& m_surface;
+  const Cut_graph& m_cut_graph;
+  std::vector<Index> m_door;   ///< for each separator, a halfedge from its right to its left that no other one crosses
+  std::vector<Index> m_parent; ///< in the trees; a root is its own parent
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PACKING_LOOPS_ACROSS_H
