@@ -46,6 +46,11 @@ constexpr std::size_t genus_of_closed_surface(std::size_t number_of_components, 
 /// Points and triangles, counterclockwise seen from outside.
 struct Indexed_triangles
 {
+  /// The vertex where `halfedge` starts.
+  Index origin(Index halfedge) const { return faces[halfedge / 3][halfedge % 3]; }
+  /// The vertex where `halfedge` ends.
+  Index target(Index halfedge) const { return faces[halfedge / 3][(halfedge + 1) % 3]; }
+
   /// The positions of the vertices.
   std::vector<Vector3> points;
   /// The vertices of each face, counterclockwise seen from outside.

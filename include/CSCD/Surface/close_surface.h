@@ -32,18 +32,17 @@ namespace CSCD::internal {
 inline std::vector<std::vector<Index>> border_cycles(const Indexed_triangles& triangles,
                                                      const Halfedge_pairing& pairing)
 {
-  const auto origin = [&triangles](Index h) { return triangles.faces[h / 3][h % 3]; };
   // The border has one fan of faces at each of its vertices, hence one halfedge that ends there.
   std::vector<Index> into(triangles.points.size(), no_index);
   for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
     if (pairing.twin(h) == no_index) {
-      into[origin(Halfedge_pairing::next(h))] = h;
+      into[triangles.target(h)] = h;
     }
   }
   std::vector<std::vector<Index>> cycles;
   for (Index start = 0; start < into.size(); ++start) {
     std::vector<Index> cycle;
-    for (Index vertex = start; into[vertex] != no_index; vertex = origin(cycle.back())) {
+    for (Index vertex = start; into[vertex] != no_index; vertex = triangles.origin(cycle.back())) {
       cycle.push_back(std::exchange(into[vertex], no_index));
     }
     if (!cycle.empty()) {
@@ -63,12 +62,12 @@ public:
     std::vector<char> on_border(triangles.points.size(), 0);
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
       if (pairing.twin(h) == no_index) {
-        on_border[origin(h)] = 1;
+        on_border[triangles.origin(h)] = 1;
       }
     }
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
-      if (on_border[origin(h)] && on_border[target(h)]) {
-        m_edges.insert(edge(origin(h), target(h)));
+      if (on_border[triangles.origin(h)] && on_border[triangles.target(h)]) {
+        m_edges.insert(edge(triangles.origin(h), triangles.target(h)));
       }
     }
   }
@@ -78,7 +77,7 @@ public:
   {
     const std::vector<std::vector<Index>> cycles = border_cycles(m_triangles, pairing);
     for (std::vector<Index> hole : cycles) {
-      std::transform(hole.begin(), hole.end(), hole.begin(), [this](Index h) { return target(h); });
+      std::transform(hole.begin(), hole.end(), hole.begin(), [this](Index h) { return m_triangles.target(h); });
       close(hole);
     }
     return cycles.size();
@@ -157,9 +156,6 @@ private:
     std::vector<Index> vertex, previous, next, version;
     Index size;
   };
-
-  Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
-  Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
 
   static std::uint64_t edge(Index a, Index b)
   {

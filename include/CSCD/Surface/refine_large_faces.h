@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -37,9 +36,8 @@ inline double squared_edge(double area, double size)
 }
 
 /// How many limbs each component has, by the curvature of its corners: the tip of a limb holds 2 pi, and so does one
-/// side of a handle, twice. Linear. \param genus of each component
-inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, const Surface_components& components,
-                                            const std::vector<std::size_t>& genus)
+/// side of a handle, twice. Linear.
+inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, const Surface_components& components)
 {
   // A cube's corners have pi / 2; rounded corners and noise have less, and a fin that is too thin for any number of
   // vertices has pi.
@@ -65,7 +63,9 @@ inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, 
   }
   std::vector<double> result(components.number());
   for (Index i = 0; i < components.number(); ++i) {
-    result[i] = std::max(curvature_of_corners[i] / boost::math::double_constants::two_pi - 2 * double(genus[i]), 0.);
+    result[i] = std::max(curvature_of_corners[i] / boost::math::double_constants::two_pi -
+                             2 * double(components.measures[i].genus()),
+                         0.);
   }
   return result;
 }
@@ -343,11 +343,10 @@ inline std::vector<char> open_components(const Indexed_triangles& triangles, con
 
 /// Lowers the squares of the longest edges allowed, `squared_bound`, where components that are not open have many limbs
 /// of a few long faces each, so that an even triangulation has about 64 vertices for a limb. Linear.
-/// \param genus of each component
 /// \return the number of limbs of all such components
 inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                     const Surface_components& components, const std::vector<std::size_t>& genus,
-                                     const std::vector<char>& is_open, std::vector<double>& squared_bound)
+                                     const Surface_components& components, const std::vector<char>& is_open,
+                                     std::vector<double>& squared_bound)
 {
   constexpr double size_of_limb = 64; // vertices: a dozen rings and more
   constexpr double min_limbs = 16;    // with fewer, the area bounds the size of faces
@@ -357,7 +356,7 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
   if (std::none_of(components.measures.begin(), components.measures.end(), has_long_faces)) {
     return 0;
   }
-  const std::vector<double> limbs = numbers_of_limbs(triangles, components, genus);
+  const std::vector<double> limbs = numbers_of_limbs(triangles, components);
   std::vector<double> bound(components.number(), no_bound);
   for (Index i = 0; i < components.number(); ++i) {
     if (limbs[i] >= min_limbs && has_long_faces(components.measures[i]) && is_open[i] == 0) {
@@ -393,11 +392,8 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
 inline void split_two_face_components(Indexed_triangles& triangles, Halfedge_pairing& pairing,
                                       Surface_components& components)
 {
-  std::vector<Index> number_of_faces(components.number(), 0);
-  for (Index component : components.component) {
-    ++number_of_faces[component];
-  }
-  if (std::find(number_of_faces.begin(), number_of_faces.end(), Index(2)) == number_of_faces.end()) {
+  const auto has_two_faces = [](const Surface_components::Measure& measure) { return measure.number_of_faces == 2; };
+  if (std::none_of(components.measures.begin(), components.measures.end(), has_two_faces)) {
     return;
   }
   std::vector<std::array<Index, 3>> faces;
@@ -407,10 +403,12 @@ inline void split_two_face_components(Indexed_triangles& triangles, Halfedge_pai
   for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
     const auto [a, b, c] = triangles.faces[f];
     const Index component = components.component[f];
-    if (number_of_faces[component] == 2 && is_visited[component]) {
+    if (has_two_faces(components.measures[component]) && is_visited[component]) {
       const Index center = Index(triangles.points.size());
       triangles.points.push_back((triangles.points[a] + triangles.points[b] + triangles.points[c]) / 3);
       faces.insert(faces.end(), {{a, b, center}, {b, c, center}, {c, a, center}});
+      components.measures[component].number_of_faces += 2;
+      ++components.measures[component].number_of_vertices;
     } else {
       faces.push_back(triangles.faces[f]);
     }
@@ -458,19 +456,21 @@ inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& p
   // ... and twice those of an even triangulation for each limb.
   constexpr double midpoints_of_limb = 128;
 
-  const std::vector<std::size_t> genus = genus_of_components(triangles, pairing, components);
   const std::vector<char> is_open = open_components(triangles, components, side);
-  std::size_t budget = max_growth * triangles.points.size() + free_vertices +
-                       midpoints_of_handle * std::accumulate(genus.begin(), genus.end(), std::size_t(0));
+  std::size_t budget = max_growth * triangles.points.size() + free_vertices;
+  for (const Surface_components::Measure& measure : components.measures) {
+    budget += midpoints_of_handle * measure.genus();
+  }
   std::vector<double> squared_bound(components.number(), no_bound);
   for (Index i = 0; i < components.number(); ++i) {
-    const double size = std::min(std::max(size_of_sampled_body, size_of_sampled_handle * double(genus[i])),
-                                 double(budget) / components.number());
+    const double size =
+        std::min(std::max(size_of_sampled_body, size_of_sampled_handle * double(components.measures[i].genus())),
+                 double(budget) / components.number());
     if (components.measures[i].area > min_area && size >= min_size) {
       squared_bound[i] = squared_edge(components.measures[i].area, size);
     }
   }
-  const double limbs = lower_bounds_for_limbs(triangles, pairing, components, genus, is_open, squared_bound);
+  const double limbs = lower_bounds_for_limbs(triangles, pairing, components, is_open, squared_bound);
   budget += std::size_t(midpoints_of_limb * limbs);
   for (Index i = 0; i < components.number(); ++i) {
     if (components.measures[i].max_squared_length > squared_bound[i]) {
