@@ -68,7 +68,7 @@ inline std::vector<Vector3> to_input(const Separator& separator, const Triangula
 namespace CSCD {
 
 CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
-                                               const Options& options, Any_skeletonization_visitor& visitor,
+                                               const Options& options, const Any_skeletonization_visitor& visitor,
                                                Skeleton& skeleton)
 {
   const Detail detail(options.detail);
@@ -78,7 +78,7 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector3> points, std:
   Skeletonization_report report = solid.report();
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
-  internal::Stage_runner<Any_skeletonization_visitor> run_stage(visitor, report.seconds);
+  internal::Stage_runner<const Any_skeletonization_visitor> run_stage(visitor, report.seconds);
   std::vector<Separator> separators;
   run_stage(Skeletonization_stage::find_separators, [&] {
     separators =

@@ -84,7 +84,7 @@ public:
     const auto try_face = [&](Index face) {
       const double distance = hit_of_face(face, ray).distance;
       if (distance < infinity && (!hit || distance < hit->distance)) {
-        hit = {face, ray.origin + distance * ray.direction, distance};
+        hit = {{ray.origin + distance * ray.direction, face}, distance};
       }
       return distance;
     };

@@ -70,12 +70,8 @@ struct Surface_point
 };
 
 /// Where a ray first meets a surface.
-struct Surface_hit
+struct Surface_hit : Surface_point
 {
-  /// The face that it is on.
-  Index face = no_index;
-  /// Its place.
-  Vector3 point = Vector3::Zero();
   double distance = 0; ///< from the origin of the ray
 };
 
