@@ -21,15 +21,26 @@
 
 namespace CSCD::internal {
 
+/// The values at the places `order`; nothing if there are no values.
+template <class Value>
+std::vector<Value> reordered(const std::vector<Value>& values, const std::vector<Index>& order)
+{
+  std::vector<Value> result(values.empty() ? 0 : order.size());
+  std::transform(order.begin(), order.begin() + std::ptrdiff_t(result.size()), result.begin(),
+                 [&values](Index place) { return values[place]; });
+  return result;
+}
+
 /// The components of faces that are connected through edges, numbered in the order of their first faces.
 struct Surface_components
 {
   /// Numbers and measures the components of `triangles`; near linear.
+  /// \param side of every vertex, not 0 on a sheet; empty without sheets
   /// \pre the faces of each vertex form one fan: faces with a common vertex are connected
-  explicit Surface_components(const Indexed_triangles& triangles)
+  explicit Surface_components(const Indexed_triangles& triangles, const std::vector<signed char>& side = {})
   {
     number_components(triangles);
-    measure(triangles);
+    measure(triangles, side);
   }
 
   struct Measure
@@ -41,9 +52,13 @@ struct Surface_components
     std::size_t number_of_vertices = 0;   ///< of all faces
     std::size_t number_of_faces = 0;      ///< with hole-filling faces
     std::size_t number_of_long_faces = 0; ///< faces much longer than high
+    bool is_sheet = false;                ///< of two sides
+    bool is_bridged = false;              ///< whether there are hole-filling faces
 
     /// Whether the faces look inwards: a volume near 0 has no reliable sign.
     bool faces_inwards() const { return volume < -min_signed_volume * area * std::sqrt(area); }
+    /// Whether it has neither had borders nor is a sheet.
+    bool is_body() const { return !is_sheet && !is_bridged; }
     /// The number of handles. \pre the triangles are closed
     std::size_t genus() const { return genus_of_closed_surface(1, number_of_vertices, number_of_faces); }
   };
@@ -93,7 +108,7 @@ private:
     }
   }
 
-  void measure(const Indexed_triangles& triangles)
+  void measure(const Indexed_triangles& triangles, const std::vector<signed char>& side)
   {
     std::vector<Vector3> center_sum(number()); // of the faces
     for (Index f = 0; f < triangles.faces.size(); ++f) {
@@ -105,8 +120,10 @@ private:
       }
 #endif
       const bool is_hole_filling = f >= triangles.first_hole_filling_face;
-      if (add_face(triangles, f, is_hole_filling, measures[component[f]], center_sum[component[f]]) &&
-          !is_hole_filling) {
+      Measure& measure = measures[component[f]];
+      measure.is_bridged = measure.is_bridged || is_hole_filling;
+      measure.is_sheet = !side.empty() && side[triangles.faces[f][0]] != 0;
+      if (add_face(triangles, f, is_hole_filling, measure, center_sum[component[f]]) && !is_hole_filling) {
         degenerate_faces.push_back(f);
       }
     }

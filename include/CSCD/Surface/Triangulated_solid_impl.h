@@ -54,16 +54,6 @@ inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed 
   }
 }
 
-/// The values at the places `order`; none if there are no values.
-template <class Value>
-std::vector<Value> reordered(const std::vector<Value>& values, const std::vector<Index>& order)
-{
-  std::vector<Value> result(values.empty() ? 0 : order.size());
-  std::transform(order.begin(), order.begin() + std::ptrdiff_t(result.size()), result.begin(),
-                 [&values](Index place) { return values[place]; });
-  return result;
-}
-
 /// Doubles sheets and bridges borders; counts both in `report`.
 inline Doubled_sheets close(Indexed_triangles& triangles, Halfedge_pairing& pairing, Border_treatment treatment,
                             Skeletonization_report& report)
@@ -77,7 +67,12 @@ inline Doubled_sheets close(Indexed_triangles& triangles, Halfedge_pairing& pair
   }
   report.number_of_sheets = sheets.number_of_sheets;
   report.number_of_wide_borders = sheets.number_of_wide_borders;
+  const std::size_t number_of_points = triangles.points.size();
   report.number_of_bridged_borders = bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
+  report.number_of_inserted_vertices = triangles.points.size() - number_of_points;
+  if (sheets.number_of_sheets > 0) {
+    extend_sides(triangles, sheets.side);
+  }
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
@@ -99,9 +94,8 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
   const std::size_t number_of_input_faces = triangles.faces.size();
   const Normalization to_unit_box = normalize_extent(triangles.points);
   internal::Doubled_sheets sheets = internal::close(triangles, pairing, treatment, m_report);
-  const std::size_t number_of_given_points = sheets.side.empty() ? input_number.size() : sheets.side.size();
   input_number.resize(triangles.points.size(), no_index);
-  internal::Surface_components components(triangles);
+  internal::Surface_components components(triangles, sheets.side);
   m_report.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
@@ -116,8 +110,8 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
   }
   const std::size_t number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
   internal::split_two_face_components(triangles, pairing, components);
-  const bool has_many_limbs = internal::refine_large_faces(triangles, pairing, components, m_side_of_sheet);
-  m_report.number_of_inserted_vertices = triangles.points.size() + cavities.vertices.size() - number_of_given_points;
+  const bool has_many_limbs = internal::refine_large_faces(triangles, pairing, components);
+  m_report.number_of_inserted_vertices += triangles.points.size() - input_number.size();
   input_number.resize(triangles.points.size(), no_index);
   if (m_report.number_of_sheets > 0) {
     internal::extend_sides(triangles, m_side_of_sheet);

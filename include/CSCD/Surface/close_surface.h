@@ -222,19 +222,13 @@ public:
   }
 
   /// Whether each component is such a cavity, without a body in it. O(n log n) where any component faces inwards.
-  /// \param side of every vertex, not 0 on a sheet, which bounds no cavity; empty without sheets
-  std::vector<char> operator()(const std::vector<signed char>& side = {})
+  std::vector<char> operator()()
   {
     if (m_components.number() == 1) {
       return m_is_cavity;
     }
     for (Index c = 0; c < m_components.number(); ++c) {
-      m_is_cavity[c] = m_components.measures[c].faces_inwards() ? 1 : 0;
-    }
-    for (std::size_t face = 0; face < m_triangles.faces.size() && !side.empty(); ++face) {
-      if (side[m_triangles.faces[face][0]] != 0) {
-        m_is_cavity[m_components.component[face]] = 0;
-      }
+      m_is_cavity[c] = m_components.measures[c].faces_inwards() && !m_components.measures[c].is_sheet ? 1 : 0;
     }
     if (std::count(m_is_cavity.begin(), m_is_cavity.end(), 1) > 0) {
       keep_within_bodies();
@@ -328,7 +322,7 @@ inline Filled_cavities fill_cavities(Indexed_triangles& triangles, Halfedge_pair
                                      Surface_components& components, std::size_t number_of_input_points,
                                      const std::vector<signed char>& side = {})
 {
-  const std::vector<char> is_cavity = Cavity_search(triangles, components)(side);
+  const std::vector<char> is_cavity = Cavity_search(triangles, components)();
   Filled_cavities result;
   result.number = std::size_t(std::count(is_cavity.begin(), is_cavity.end(), 1));
   if (result.number == 0) {
@@ -342,7 +336,7 @@ inline Filled_cavities fill_cavities(Indexed_triangles& triangles, Halfedge_pair
   }
   result.old_number = remove_components(triangles, components, [&](Index c) { return is_cavity[c] != 0; });
   pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-  components = Surface_components(triangles);
+  components = Surface_components(triangles, reordered(side, result.old_number));
   return result;
 }
 

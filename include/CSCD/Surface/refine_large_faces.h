@@ -113,10 +113,9 @@ class Face_refinement : private Triangle_halfedges
 {
 public:
   /// \param squared_bound the square of the longest allowed edge of each component
-  /// \param is_open of each component, whether it has hole-filling faces or is a sheet: its edges are not flipped
   Face_refinement(Indexed_triangles& triangles, Halfedge_pairing&& pairing, Surface_components& components,
-                  const std::vector<double>& squared_bound, const std::vector<char>& is_open)
-      : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound), m_is_open(is_open),
+                  const std::vector<double>& squared_bound)
+      : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
         m_is_hole_filling(triangles.faces.size())
   {
     std::fill(m_is_hole_filling.begin() + std::ptrdiff_t(triangles.first_hole_filling_face), m_is_hole_filling.end(),
@@ -224,7 +223,7 @@ private:
     while (!m_unchecked.empty()) {
       const Index h = m_unchecked.back();
       m_unchecked.pop_back();
-      if (m_flips_left > 0 && m_is_open[m_components.component[h / 3]] == 0 && is_to_be_flipped(h)) {
+      if (m_flips_left > 0 && m_components.measures[m_components.component[h / 3]].is_body() && is_to_be_flipped(h)) {
         flip(h);
         --m_flips_left;
       }
@@ -319,7 +318,6 @@ private:
   Indexed_triangles& m_triangles;
   Surface_components& m_components;
   const std::vector<double>& m_squared_bound;
-  const std::vector<char>& m_is_open;
   std::vector<char> m_is_hole_filling; ///< of every face
   std::vector<Index> m_twin;
   std::priority_queue<Long_edge> m_long_edges;
@@ -327,26 +325,11 @@ private:
   std::size_t m_flips_left = 0;
 };
 
-/// Of each component, whether it has hole-filling faces or is a sheet.
-inline std::vector<char> open_components(const Indexed_triangles& triangles, const Surface_components& components,
-                                         const std::vector<signed char>& side)
-{
-  std::vector<char> result(components.number(), 0);
-  const std::size_t first = side.empty() ? triangles.first_hole_filling_face : 0;
-  for (std::size_t f = first; f < triangles.faces.size(); ++f) {
-    if (f >= triangles.first_hole_filling_face || side[triangles.faces[f][0]] != 0) {
-      result[components.component[f]] = 1;
-    }
-  }
-  return result;
-}
-
 /// Lowers the squares of the longest edges allowed, `squared_bound`, where components that are not open have many limbs
 /// of a few long faces each, so that an even triangulation has about 64 vertices for a limb. Linear.
 /// \return the number of limbs of all such components
 inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                     const Surface_components& components, const std::vector<char>& is_open,
-                                     std::vector<double>& squared_bound)
+                                     const Surface_components& components, std::vector<double>& squared_bound)
 {
   constexpr double size_of_limb = 64; // vertices: a dozen rings and more
   constexpr double min_limbs = 16;    // with fewer, the area bounds the size of faces
@@ -359,7 +342,7 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
   const std::vector<double> limbs = numbers_of_limbs(triangles, components);
   std::vector<double> bound(components.number(), no_bound);
   for (Index i = 0; i < components.number(); ++i) {
-    if (limbs[i] >= min_limbs && has_long_faces(components.measures[i]) && is_open[i] == 0) {
+    if (limbs[i] >= min_limbs && has_long_faces(components.measures[i]) && components.measures[i].is_body()) {
       bound[i] = squared_edge(components.measures[i].area, size_of_limb * limbs[i]);
     }
   }
@@ -435,12 +418,10 @@ inline constexpr double size_of_sampled_body = 2000;
 /// already stays as it is. The shape does not change, but edges in flat parts do, except in sheets and in components
 /// with hole-filling faces. Inserted vertices are appended; hole-filling faces stay bridging. Vertices grow at most to
 /// 4 n + 6 g + 20000 for genus g, and 128 for each limb, which are fewer than n; faces accordingly. O(n log n).
-/// \param side of every vertex, not 0 on a sheet; empty without sheets
 /// \return whether there are many limbs, which coarser triangulations lose
 /// \pre `triangles` is closed and no two faces have the same corners; `pairing` and `components` are those of its
 ///      faces, and are kept so
-inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components,
-                               const std::vector<signed char>& side = {})
+inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components)
 {
   // Vertices that sample a handle well enough: with fewer, loops around each of many struts have no room.
   constexpr double size_of_sampled_handle = 32;
@@ -456,7 +437,6 @@ inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& p
   // ... and twice those of an even triangulation for each limb.
   constexpr double midpoints_of_limb = 128;
 
-  const std::vector<char> is_open = open_components(triangles, components, side);
   std::size_t budget = max_growth * triangles.points.size() + free_vertices;
   for (const Surface_components::Measure& measure : components.measures) {
     budget += midpoints_of_handle * measure.genus();
@@ -470,11 +450,11 @@ inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& p
       squared_bound[i] = squared_edge(components.measures[i].area, size);
     }
   }
-  const double limbs = lower_bounds_for_limbs(triangles, pairing, components, is_open, squared_bound);
+  const double limbs = lower_bounds_for_limbs(triangles, pairing, components, squared_bound);
   budget += std::size_t(midpoints_of_limb * limbs);
   for (Index i = 0; i < components.number(); ++i) {
     if (components.measures[i].max_squared_length > squared_bound[i]) {
-      Face_refinement(triangles, std::move(pairing), components, squared_bound, is_open)(budget);
+      Face_refinement(triangles, std::move(pairing), components, squared_bound)(budget);
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
       break;
     }
