@@ -21,7 +21,7 @@
 
 namespace CSCD::internal {
 
-/// The values at the places `order`; nothing if there are no values.
+/// The values at the places `order`; empty if `values` is.
 template <class Value>
 std::vector<Value> reordered(const std::vector<Value>& values, const std::vector<Index>& order)
 {
@@ -39,8 +39,40 @@ struct Surface_components
   /// \pre the faces of each vertex form one fan: faces with a common vertex are connected
   explicit Surface_components(const Indexed_triangles& triangles, const std::vector<signed char>& side = {})
   {
-    number_components(triangles);
-    measure(triangles, side);
+    // Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
+    Disjoint_sets joined = sets_of_vertices(triangles.faces, triangles.points.size());
+    std::vector<Index> number_of_set(triangles.points.size(), no_index);
+    std::vector<Vector3> center_sum; // of the faces of every component
+    component.reserve(triangles.faces.size());
+    for (Index f = 0; f < triangles.faces.size(); ++f) {
+#ifdef __GNUC__
+      if (f + prefetch_distance < triangles.faces.size()) {
+        for (const Index corner : triangles.faces[f + prefetch_distance]) {
+          __builtin_prefetch(&triangles.points[corner]);
+        }
+      }
+#endif
+      const Index corner = triangles.faces[f][0];
+      Index& its_component = number_of_set[joined.find(corner)];
+      if (its_component == no_index) {
+        its_component = number();
+        measures.emplace_back();
+        measures.back().is_sheet = !side.empty() && side[corner] != 0;
+        center_sum.emplace_back();
+      }
+      component.push_back(its_component);
+      add_face(triangles, f, measures[its_component], center_sum[its_component]);
+    }
+    for (Index vertex = 0; vertex < triangles.points.size(); ++vertex) {
+      const Index its_component = number_of_set[joined.find(vertex)];
+      if (its_component != no_index) {
+        ++measures[its_component].number_of_vertices;
+      }
+    }
+    for (Index i = 0; i < number(); ++i) {
+      measures[i].centroid = measures[i].area > 0 ? measures[i].centroid / measures[i].area
+                                                  : center_sum[i] / double(measures[i].number_of_faces);
+    }
   }
 
   struct Measure
@@ -63,7 +95,10 @@ struct Surface_components
     std::size_t genus() const { return genus_of_closed_surface(1, number_of_vertices, number_of_faces); }
   };
 
-  Index number() const { return Index(measures.size()); }
+  Index number() const
+  {
+    return Index(measures.size());
+  }
   /// The component of `vertex`, which has a face in `pairing`.
   Index component_of_vertex(const Halfedge_pairing& pairing, Index vertex) const
   {
@@ -86,73 +121,28 @@ private:
   /// Prefetch distance, in faces.
   static constexpr std::size_t prefetch_distance = 16;
 
-  /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
-  void number_components(const Indexed_triangles& triangles)
-  {
-    Disjoint_sets joined = sets_of_vertices(triangles.faces, triangles.points.size());
-    component.reserve(triangles.faces.size());
-    std::vector<Index> number_of_set(triangles.points.size(), no_index);
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      Index& number_of_face = number_of_set[joined.find(face[0])];
-      if (number_of_face == no_index) {
-        number_of_face = number();
-        measures.emplace_back();
-      }
-      component.push_back(number_of_face);
-    }
-    for (Index vertex = 0; vertex < triangles.points.size(); ++vertex) {
-      const Index its_component = number_of_set[joined.find(vertex)];
-      if (its_component != no_index) {
-        ++measures[its_component].number_of_vertices;
-      }
-    }
-  }
-
-  void measure(const Indexed_triangles& triangles, const std::vector<signed char>& side)
-  {
-    std::vector<Vector3> center_sum(number()); // of the faces
-    for (Index f = 0; f < triangles.faces.size(); ++f) {
-#ifdef __GNUC__
-      if (f + prefetch_distance < triangles.faces.size()) {
-        for (const Index corner : triangles.faces[f + prefetch_distance]) {
-          __builtin_prefetch(&triangles.points[corner]);
-        }
-      }
-#endif
-      const bool is_hole_filling = f >= triangles.first_hole_filling_face;
-      Measure& measure = measures[component[f]];
-      measure.is_bridged = measure.is_bridged || is_hole_filling;
-      measure.is_sheet = !side.empty() && side[triangles.faces[f][0]] != 0;
-      if (add_face(triangles, f, is_hole_filling, measure, center_sum[component[f]]) && !is_hole_filling) {
-        degenerate_faces.push_back(f);
-      }
-    }
-    for (Index i = 0; i < number(); ++i) {
-      measures[i].centroid = measures[i].area > 0 ? measures[i].centroid / measures[i].area
-                                                  : center_sum[i] / double(measures[i].number_of_faces);
-    }
-  }
-
-  /// \return whether the face has (nearly) no area for its longest side, or is hole-filling
-  static bool add_face(const Indexed_triangles& triangles, Index f, bool is_hole_filling, Measure& sum,
-                       Vector3& center_sum)
+  void add_face(const Indexed_triangles& triangles, Index f, Measure& sum, Vector3& center_sum)
   {
     const std::array<Index, 3>& face = triangles.faces[f];
     const Vector3& a = triangles.points[face[0]];
     const Vector3& b = triangles.points[face[1]];
     const Vector3& c = triangles.points[face[2]];
+    const bool is_hole_filling = f >= triangles.first_hole_filling_face;
     const Vector3 vector = triangle_vector(a, b, c);
+    const Vector3 center = (a + b + c) / 3;
     const double doubled_area = is_hole_filling ? 0. : vector.norm();
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     sum.max_squared_length = std::max(sum.max_squared_length, longest);
     sum.area += doubled_area / 2;
     sum.volume += a.dot(vector) / 6;
-    const Vector3 center = (a + b + c) / 3;
     sum.centroid += doubled_area / 2 * center;
     center_sum += center;
     ++sum.number_of_faces;
     sum.number_of_long_faces += longest >= long_ratio * doubled_area ? 1 : 0;
-    return !(doubled_area > degenerate_height * longest);
+    sum.is_bridged = sum.is_bridged || is_hole_filling;
+    if (!is_hole_filling && !(doubled_area > degenerate_height * longest)) {
+      degenerate_faces.push_back(f);
+    }
   }
 };
 

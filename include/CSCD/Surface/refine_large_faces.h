@@ -84,23 +84,31 @@ inline std::optional<Vector3> common_normal(const Vector3& a, const Vector3& b, 
              : std::nullopt;
 }
 
-/// How many faces of each component are coplanar with an adjacent one. Linear.
-inline std::vector<std::size_t> numbers_of_flat_faces(const Indexed_triangles& triangles,
-                                                      const Halfedge_pairing& pairing,
-                                                      const Surface_components& components)
+/// Of each face, whether it fills a hole.
+inline std::vector<char> hole_filling_faces(const Indexed_triangles& triangles)
 {
-  const auto point = [&](Index h) -> const Vector3& { return triangles.points[triangles.faces[h / 3][h % 3]]; };
-  const auto is_flat = [&](Index h) {
-    const Index twin = pairing.twin(h);
-    return common_normal(point(h), point(twin), point(Halfedge_pairing::previous(h)),
-                         point(Halfedge_pairing::previous(twin)))
-        .has_value();
-  };
-  std::vector<std::size_t> result(components.number(), 0);
-  for (Index f = 0; f < triangles.faces.size(); ++f) {
-    result[components.component[f]] += is_flat(3 * f) || is_flat(3 * f + 1) || is_flat(3 * f + 2) ? 1 : 0;
-  }
+  std::vector<char> result(triangles.first_hole_filling_face, 0);
+  result.resize(triangles.faces.size(), 1);
   return result;
+}
+
+/// Puts the faces where `is_hole_filling` is true behind all others, in `components`, too.
+inline void put_hole_filling_faces_last(Indexed_triangles& triangles, Surface_components& components,
+                                        const std::vector<char>& is_hole_filling)
+{
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<Index> component;
+  for (const char is_last : {char(0), char(1)}) {
+    for (std::size_t f = 0; f < is_hole_filling.size(); ++f) {
+      if (is_hole_filling[f] == is_last) {
+        faces.push_back(triangles.faces[f]);
+        component.push_back(components.component[f]);
+      }
+    }
+    triangles.first_hole_filling_face = is_last == 0 ? faces.size() : triangles.first_hole_filling_face;
+  }
+  triangles.faces = std::move(faces);
+  components.component = std::move(component);
 }
 
 /// The bound of edges that are left as they are.
@@ -116,10 +124,8 @@ public:
   Face_refinement(Indexed_triangles& triangles, Halfedge_pairing&& pairing, Surface_components& components,
                   const std::vector<double>& squared_bound)
       : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
-        m_is_hole_filling(triangles.faces.size())
+        m_is_hole_filling(hole_filling_faces(triangles))
   {
-    std::fill(m_is_hole_filling.begin() + std::ptrdiff_t(triangles.first_hole_filling_face), m_is_hole_filling.end(),
-              char(1));
     Compressed_rows<Index> outgoing; // not kept
     std::move(pairing).move_to(m_twin, outgoing);
   }
@@ -144,7 +150,7 @@ public:
         --max_number;
       }
     }
-    put_hole_filling_faces_last();
+    put_hole_filling_faces_last(m_triangles, m_components, m_is_hole_filling);
   }
 
 private:
@@ -298,23 +304,6 @@ private:
     }
   }
 
-  void put_hole_filling_faces_last()
-  {
-    std::vector<std::array<Index, 3>> faces;
-    std::vector<Index> component;
-    for (const char is_hole_filling : {char(0), char(1)}) {
-      for (std::size_t f = 0; f < m_is_hole_filling.size(); ++f) {
-        if (m_is_hole_filling[f] == is_hole_filling) {
-          faces.push_back(m_triangles.faces[f]);
-          component.push_back(m_components.component[f]);
-        }
-      }
-      m_triangles.first_hole_filling_face = is_hole_filling == 0 ? faces.size() : m_triangles.first_hole_filling_face;
-    }
-    m_triangles.faces = std::move(faces);
-    m_components.component = std::move(component);
-  }
-
   Indexed_triangles& m_triangles;
   Surface_components& m_components;
   const std::vector<double>& m_squared_bound;
@@ -346,22 +335,29 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
       bound[i] = squared_edge(components.measures[i].area, size_of_limb * limbs[i]);
     }
   }
+  const auto point = [&](Index h) -> const Vector3& { return triangles.points[triangles.origin(h)]; };
+  const auto is_flat = [&](Index h) {
+    const Index twin = pairing.twin(h);
+    return common_normal(point(h), point(twin), point(Halfedge_pairing::previous(h)),
+                         point(Halfedge_pairing::previous(twin)))
+        .has_value();
+  };
   std::vector<std::size_t> number_of_long_sides(components.number(), 0);
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+  std::vector<std::size_t> number_of_flat_faces(components.number(), 0); // coplanar with an adjacent one
+  for (Index f = 0; f < triangles.faces.size(); ++f) {
     const Index component = components.component[f];
-    const std::array<Index, 3>& face = triangles.faces[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 side = triangles.points[face[(i + 1) % 3]] - triangles.points[face[i]];
-      number_of_long_sides[component] += side.squaredNorm() > bound[component] ? 1 : 0;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const double squared_length = (point(Halfedge_pairing::next(h)) - point(h)).squaredNorm();
+      number_of_long_sides[component] += squared_length > bound[component] ? 1 : 0;
     }
+    number_of_flat_faces[component] += is_flat(3 * f) || is_flat(3 * f + 1) || is_flat(3 * f + 2) ? 1 : 0;
   }
-  const std::vector<std::size_t> flat_faces = numbers_of_flat_faces(triangles, pairing, components);
   double number_of_limbs = 0;
   for (Index i = 0; i < components.number(); ++i) {
     // Where fewer sides of faces than a quarter are longer, limbs are sampled already. The corners of a noisy body, of
     // few flat faces, carry no information.
     const std::size_t number_of_faces = components.measures[i].number_of_faces;
-    if (4 * number_of_long_sides[i] >= 3 * number_of_faces && 2 * flat_faces[i] >= number_of_faces) {
+    if (4 * number_of_long_sides[i] >= 3 * number_of_faces && 2 * number_of_flat_faces[i] >= number_of_faces) {
       squared_bound[i] = std::min(squared_bound[i], bound[i]);
       number_of_limbs += limbs[i];
     }
@@ -379,29 +375,25 @@ inline void split_two_face_components(Indexed_triangles& triangles, Halfedge_pai
   if (std::none_of(components.measures.begin(), components.measures.end(), has_two_faces)) {
     return;
   }
-  std::vector<std::array<Index, 3>> faces;
-  std::vector<Index> component_of_face;
+  std::vector<char> is_hole_filling = hole_filling_faces(triangles);
   std::vector<char> is_visited(components.number(), 0);
-  std::size_t first_hole_filling_face = 0;
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-    const auto [a, b, c] = triangles.faces[f];
+  const std::size_t number_of_faces = triangles.faces.size();
+  for (std::size_t f = 0; f < number_of_faces; ++f) {
     const Index component = components.component[f];
-    if (has_two_faces(components.measures[component]) && is_visited[component]) {
+    Surface_components::Measure& measure = components.measures[component];
+    if (has_two_faces(measure) && std::exchange(is_visited[component], 1) != 0) {
+      const auto [a, b, c] = triangles.faces[f];
       const Index center = Index(triangles.points.size());
       triangles.points.push_back((triangles.points[a] + triangles.points[b] + triangles.points[c]) / 3);
-      faces.insert(faces.end(), {{a, b, center}, {b, c, center}, {c, a, center}});
-      components.measures[component].number_of_faces += 2;
-      ++components.measures[component].number_of_vertices;
-    } else {
-      faces.push_back(triangles.faces[f]);
+      triangles.faces[f] = {a, b, center};
+      triangles.faces.insert(triangles.faces.end(), {{b, c, center}, {c, a, center}});
+      components.component.resize(triangles.faces.size(), component);
+      is_hole_filling.resize(triangles.faces.size(), is_hole_filling[f]);
+      measure.number_of_faces += 2;
+      ++measure.number_of_vertices;
     }
-    is_visited[component] = 1;
-    component_of_face.resize(faces.size(), component);
-    first_hole_filling_face = f < triangles.first_hole_filling_face ? faces.size() : first_hole_filling_face;
   }
-  triangles.faces = std::move(faces);
-  triangles.first_hole_filling_face = first_hole_filling_face;
-  components.component = std::move(component_of_face);
+  put_hole_filling_faces_last(triangles, components, is_hole_filling);
   pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
 }
 
