@@ -52,10 +52,9 @@ Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_opt
 {
   std::vector<Vector3> points = input.is_kept ? input.points : std::move(input.points);
   std::vector<std::array<Index, 3>> faces = input.is_kept ? input.faces : std::move(input.faces);
-  CSCD::Skeletonization_visitor_reference<Progress_visitor> reference(visitor);
   Skeletonization_result result;
-  result.report =
-      CSCD::skeletonize(std::move(points), std::move(faces), engine_options(options), reference, result.skeleton);
+  result.report = CSCD::skeletonize(std::move(points), std::move(faces), engine_options(options),
+                                    CSCD::Any_skeletonization_visitor(visitor), result.skeleton);
   return result;
 }
 

@@ -10,7 +10,6 @@
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Options.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
@@ -55,10 +54,8 @@ CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, c
     if (mesh == nullptr) {
       return CSCD::internal::simplify_skeleton(skeleton, options.steps, nullptr);
     }
-    const CSCD::internal::Prepared_mesh prepared(
-        [mesh] { return CSCD::check_triangles(std::vector(mesh->points), std::vector(mesh->faces)); },
-        CSCD::Border_treatment::bridge, 1);
-    return CSCD::internal::simplify_skeleton(skeleton, options.steps, &prepared.solid());
+    const CSCD::Triangulated_solid solid(std::vector(mesh->points), std::vector(mesh->faces));
+    return CSCD::internal::simplify_skeleton(skeleton, options.steps, &solid);
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(options.skeleton + ": " + error.what());
   }

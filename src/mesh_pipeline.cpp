@@ -4,7 +4,5 @@
 // The surfaces and the local method, compiled once.
 
 #include <CSCD/Local_policies_impl.h>
-#include <CSCD/Surface/Triangles_impl.h>
 #include <CSCD/Surface/Triangulated_solid_impl.h>
-#include <CSCD/internal/parallel.h>
 #include <CSCD/skeletonize_impl.h>

@@ -118,28 +118,23 @@ namespace CSCD {
 
 namespace internal {
 
-/// Whether the chain with the implementation `Node` holds the parameter `Tag`.
-template <class Node, class Tag>
-struct Has_named_parameter;
-
-template <class T, class NodeTag, class Base, class Tag>
-struct Has_named_parameter<CGAL::internal_np::Named_params_impl<T, NodeTag, Base>, Tag>
-    : std::bool_constant<std::is_same_v<NodeTag, Tag> || Has_named_parameter<typename Base::base, Tag>::value>
+/// Whether the chain `*np` holds the parameter `Sought`.
+template <class Sought, class T, class Tag, class Base>
+constexpr bool has_named_parameter(const CGAL::internal_np::Named_params_impl<T, Tag, Base>* /* np */)
 {
-};
-
-template <class T, class NodeTag, class Tag>
-struct Has_named_parameter<CGAL::internal_np::Named_params_impl<T, NodeTag, CGAL::internal_np::No_property>, Tag>
-    : std::is_same<NodeTag, Tag>
-{
-};
+  if constexpr (std::is_same_v<Tag, Sought> || std::is_same_v<Base, CGAL::internal_np::No_property>) {
+    return std::is_same_v<Tag, Sought>;
+  } else {
+    return has_named_parameter<Sought>(static_cast<const typename Base::base*>(nullptr));
+  }
+}
 
 /// Puts the parameters of the chain `front` in front of `chain`.
 template <class T, class Tag, class Base, class Chain>
 auto prepend_named_parameters(const CGAL::internal_np::Named_params_impl<T, Tag, Base>& front, const Chain& chain)
 {
   static_assert(std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
-                    !Has_named_parameter<typename Chain::base, Tag>::value,
+                    !has_named_parameter<Tag>(static_cast<const typename Chain::base*>(nullptr)),
                 "CSCD: the same named parameter is given by two of the combined chains");
   const T& value = front.v;
   if constexpr (std::is_same_v<Base, CGAL::internal_np::No_property>) {
@@ -151,43 +146,23 @@ auto prepend_named_parameters(const CGAL::internal_np::Named_params_impl<T, Tag,
   }
 }
 
-/// Refuses the parameter `Tag` at compile time unless a function uses it; the compiler names the parameter as `Tag`.
-template <class Tag, bool is_used>
-struct Assert_named_parameter_is_used
+/// Refuses at compile time a parameter of the chain `*np` that is not among `UsedTags`; the compiler names it as `Tag`.
+template <class... UsedTags, class T, class Tag, class Base>
+constexpr void check_named_parameters(const CGAL::internal_np::Named_params_impl<T, Tag, Base>* /* np */)
 {
-  static_assert(is_used, "CSCD: this named parameter is not used by this function");
-  static constexpr bool value = true;
-};
-
-/// Whether a parameter is among `UsedTags`, or is the first one of a chain without parameters.
-template <class Tag, class... UsedTags>
-inline constexpr bool is_used_v = std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
-                                  (std::is_same_v<Tag, UsedTags> || ...);
-
-/// Refuses parameters of the chain with the implementation `Node` that are not among `UsedTags`.
-template <class Node, class... UsedTags>
-struct Assert_named_parameters_are_used;
-
-template <class T, class Tag, class Base, class... UsedTags>
-struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, Base>, UsedTags...>
-{
-  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used_v<Tag, UsedTags...>>::value &&
-                                Assert_named_parameters_are_used<typename Base::base, UsedTags...>::value;
-};
-
-template <class T, class Tag, class... UsedTags>
-struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, CGAL::internal_np::No_property>,
-                                        UsedTags...>
-{
-  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used_v<Tag, UsedTags...>>::value;
-};
+  static_assert(std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...),
+                "CSCD: this named parameter is not used by this function");
+  if constexpr (!std::is_same_v<Base, CGAL::internal_np::No_property>) {
+    check_named_parameters<UsedTags...>(static_cast<const typename Base::base*>(nullptr));
+  }
+}
 
 /// Refuses at compile time the parameters of `NamedParameters` whose tags are not among `UsedTags`: the first line of
 /// a function that takes named parameters.
 template <class NamedParameters, class... UsedTags>
 constexpr void check_named_parameters()
 {
-  static_assert(Assert_named_parameters_are_used<typename NamedParameters::base, UsedTags...>::value);
+  check_named_parameters<UsedTags...>(static_cast<const typename NamedParameters::base*>(nullptr));
 }
 
 } // namespace internal

@@ -77,8 +77,8 @@ private:
       constexpr std::size_t max_work = 7'500'000;
       constexpr std::size_t usual_growth = 3; // inserted for each vertex of the input, see `refine_large_faces()`
       const std::size_t number_of_vertices = surface.triangulation().number_of_vertices();
-      const std::size_t number_of_given_vertices = number_of_vertices - surface.number_of_inserted_vertices();
-      if (surface.number_of_inserted_vertices() > usual_growth * number_of_given_vertices) {
+      const std::size_t number_of_given_vertices = number_of_vertices - surface.report().number_of_inserted_vertices;
+      if (surface.report().number_of_inserted_vertices > usual_growth * number_of_given_vertices) {
         return std::min(default_number_of_sources, std::max(number_of_given_vertices, max_work / number_of_vertices));
       }
     }

@@ -63,70 +63,21 @@ template <class Point, class InputDescriptor>
 using Skeleton_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
                                              Skeleton_vertex<Point, InputDescriptor>, Skeleton_edge>;
 
-namespace internal {
-
-template <class VertexBundle, class = void>
-struct Has_radius : std::false_type
-{
-};
-
-template <class VertexBundle>
-struct Has_radius<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>().radius)>> : std::true_type
-{
-};
-
-template <class VertexBundle, class = void>
-struct Has_is_opening : std::false_type
-{
-};
-
-template <class VertexBundle>
-struct Has_is_opening<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>().is_opening)>> : std::true_type
-{
-};
-
-template <class Skeleton>
-using Skeleton_edge_reference = decltype(std::declval<Skeleton&>()[*edges(std::declval<Skeleton&>()).first]);
-
-template <class Skeleton, class = void>
-struct Has_significance : std::false_type
-{
-};
-
-template <class Skeleton>
-struct Has_significance<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_reference<Skeleton>>().significance)>>
-    : std::true_type
-{
-};
-
-template <class Skeleton, class = void>
-struct Has_is_joined : std::false_type
-{
-};
-
-template <class Skeleton>
-struct Has_is_joined<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_reference<Skeleton>>().is_joined)>>
-    : std::true_type
-{
-};
-
-} // namespace internal
-
 /// Whether the nodes of `Skeleton` carry a `radius`; CGAL's own skeleton type has none.
 template <class Skeleton>
-inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
+inline constexpr bool has_radius_v = CSCD_IS_VALID(typename Skeleton::vertex_bundled&, t.radius);
 
 /// Whether the nodes of `Skeleton` have a flag `is_opening`: the node is in the middle of a border where a limb ends.
 template <class Skeleton>
-inline constexpr bool has_is_opening_v = internal::Has_is_opening<typename Skeleton::vertex_bundled>::value;
+inline constexpr bool has_is_opening_v = CSCD_IS_VALID(typename Skeleton::vertex_bundled&, t.is_opening);
 
 /// Whether the edges of `Skeleton` carry a `significance`; CGAL's own skeleton type has none.
 template <class Skeleton>
-inline constexpr bool has_significance_v = internal::Has_significance<Skeleton>::value;
+inline constexpr bool has_significance_v = CSCD_IS_VALID(Skeleton&, t[*edges(t).first].significance);
 
 /// Whether the edges of `Skeleton` have a flag `is_joined`: the edge was added to join components.
 template <class Skeleton>
-inline constexpr bool has_is_joined_v = internal::Has_is_joined<Skeleton>::value;
+inline constexpr bool has_is_joined_v = CSCD_IS_VALID(Skeleton&, t[*edges(t).first].is_joined);
 
 #ifdef DOXYGEN_RUNNING
 /// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles

@@ -92,41 +92,24 @@ constexpr void check_skeletonization_visitor()
 
 /// @}
 
-/// A visitor of any type. Engines that are not templates call it.
-class Any_skeletonization_visitor
+/// A visitor of any type, a model of `SkeletonizationVisitor`, which is referred to. Engines that are not templates
+/// call its functions by it.
+struct Any_skeletonization_visitor
 {
-public:
-  Any_skeletonization_visitor() = default;
-  Any_skeletonization_visitor(const Any_skeletonization_visitor&) = delete;
-  Any_skeletonization_visitor& operator=(const Any_skeletonization_visitor&) = delete;
-  virtual ~Any_skeletonization_visitor() = default;
+  /// Refers to `visitor`.
+  template <class Visitor>
+  explicit Any_skeletonization_visitor(Visitor& visitor)
+      : on_stage_begin([&visitor](Skeletonization_stage stage) { visitor.on_stage_begin(stage); }),
+        on_stage_end([&visitor](Skeletonization_stage stage) { visitor.on_stage_end(stage); }),
+        progress([&visitor](double fraction) { visitor.progress(fraction); }),
+        go_further([&visitor]() -> bool { return visitor.go_further(); })
+  {
+  }
 
-  /// `stage` begins.
-  virtual void on_stage_begin(Skeletonization_stage stage) = 0;
-  /// `stage` has ended.
-  virtual void on_stage_end(Skeletonization_stage stage) = 0;
-  /// The running stage has done the part `fraction` of its work.
-  virtual void progress(double fraction) = 0;
-  /// Whether to continue.
-  virtual bool go_further() = 0;
-};
-
-/// Passes all calls on to a visitor.
-/// \tparam Visitor a model of `SkeletonizationVisitor`
-template <class Visitor>
-class Skeletonization_visitor_reference final : public Any_skeletonization_visitor
-{
-public:
-  /// \param visitor is referred to
-  explicit Skeletonization_visitor_reference(Visitor& visitor) : m_visitor(visitor) {}
-
-  void on_stage_begin(Skeletonization_stage stage) override { m_visitor.on_stage_begin(stage); }
-  void on_stage_end(Skeletonization_stage stage) override { m_visitor.on_stage_end(stage); }
-  void progress(double fraction) override { m_visitor.progress(fraction); }
-  bool go_further() override { return m_visitor.go_further(); }
-
-private:
-  Visitor& m_visitor;
+  std::function<void(Skeletonization_stage)> on_stage_begin; ///< a stage begins
+  std::function<void(Skeletonization_stage)> on_stage_end;   ///< it has ended
+  Progress progress;                                         ///< a part of it is done
+  std::function<bool()> go_further;                          ///< whether to continue
 };
 
 namespace internal {

@@ -172,11 +172,6 @@ public:
   constexpr double maxCoeff() const { return std::max(x(), std::max(y(), z())); }
   /// Whether all coordinates are finite.
   bool allFinite() const { return std::isfinite(x()) && std::isfinite(y()) && std::isfinite(z()); }
-  /// Whether the distance is at most `precision`, relative to the shorter of both vectors.
-  bool isApprox(const Vector3& v, double precision) const
-  {
-    return (*this - v).norm() <= precision * std::min(norm(), v.norm());
-  }
 
 private:
   double m_coordinates[3] = {0, 0, 0};

@@ -42,9 +42,8 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, const Ve
   check_curve_skeleton_graph<Skeleton>();
   auto arrays = read_mesh(mesh, point_map);
   CSCD::Skeleton plain_skeleton;
-  Skeletonization_visitor_reference<Visitor> any_visitor(visitor);
-  Skeletonization_report report =
-      skeletonize(std::move(arrays.points), std::move(arrays.faces), options, any_visitor, plain_skeleton);
+  Skeletonization_report report = skeletonize(std::move(arrays.points), std::move(arrays.faces), options,
+                                              Any_skeletonization_visitor(visitor), plain_skeleton);
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   skeleton = make_skeleton_graph<Skeleton, Point>(plain_skeleton, arrays.descriptors);
   return report;

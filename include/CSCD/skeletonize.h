@@ -32,15 +32,15 @@ namespace CSCD {
 ///        element and the remedy
 /// \throw Cancelled_error if the visitor stops the work
 Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
-                                   const Options& options, Any_skeletonization_visitor& visitor, Skeleton& skeleton);
+                                   const Options& options, const Any_skeletonization_visitor& visitor,
+                                   Skeleton& skeleton);
 
 /// The same without a visitor.
 inline Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
                                           const Options& options, Skeleton& skeleton)
 {
-  Default_skeletonization_visitor nothing;
-  Skeletonization_visitor_reference<Default_skeletonization_visitor> visitor(nothing);
-  return skeletonize(std::move(points), std::move(faces), options, visitor, skeleton);
+  Default_skeletonization_visitor visitor;
+  return skeletonize(std::move(points), std::move(faces), options, Any_skeletonization_visitor(visitor), skeleton);
 }
 
 } // namespace CSCD

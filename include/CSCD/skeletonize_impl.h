@@ -15,7 +15,6 @@
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
-#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
@@ -30,10 +29,10 @@
 
 namespace CSCD::internal {
 
-/// The skeleton `embedded` of `mesh` in the coordinates of the input.
-inline Skeleton to_input(const Embedded_skeleton& embedded, const Prepared_mesh& mesh)
+/// The skeleton `embedded` of `solid` in the coordinates of the input.
+inline Skeleton to_input(const Embedded_skeleton& embedded, const Triangulated_solid& solid)
 {
-  const Normalization& normalization = mesh.solid().normalization();
+  const Normalization& normalization = solid.normalization();
   const Skeleton_builder& builder = embedded.graph;
   Skeleton result;
   for (Index node = 0; node < builder.size(); ++node) {
@@ -46,7 +45,7 @@ inline Skeleton to_input(const Embedded_skeleton& embedded, const Prepared_mesh&
   result.significance = significance_levels(result);
   result.vertices.resize(builder.size());
   for (Index vertex = 0; vertex < embedded.node_of_vertex.size(); ++vertex) {
-    for (const Index input : mesh.input_vertices(vertex)) {
+    for (const Index input : solid.input_vertices(vertex)) {
       result.vertices[embedded.node_of_vertex[vertex]].push_back(input);
     }
   }
@@ -69,28 +68,26 @@ inline std::vector<Vector3> to_input(const Separator& separator, const Triangula
 namespace CSCD {
 
 CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector3> points, std::vector<std::array<Index, 3>> faces,
-                                               const Options& options, Any_skeletonization_visitor& visitor,
+                                               const Options& options, const Any_skeletonization_visitor& visitor,
                                                Skeleton& skeleton)
 {
   const Detail detail(options.detail);
-  Skeletonization_report report;
   visitor.on_stage_begin(Skeletonization_stage::compile_surface);
-  const internal::Prepared_mesh mesh(
-      [&] { return check_triangles(std::move(points), std::move(faces), options.number_of_threads); },
-      options.border_treatment, options.number_of_threads);
-  mesh.describe(report);
+  const Triangulated_solid solid(std::move(points), std::move(faces), options.border_treatment,
+                                 options.number_of_threads);
+  Skeletonization_report report = solid.report();
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
-  internal::Stage_runner<Any_skeletonization_visitor> run_stage(visitor, report.seconds);
+  internal::Stage_runner<const Any_skeletonization_visitor> run_stage(visitor, report.seconds);
   std::vector<Separator> separators;
   run_stage(Skeletonization_stage::find_separators, [&] {
-    separators = internal::find_local_separators(mesh.solid(), options, report,
-                                                 [&](double fraction) { run_stage.progress(fraction); });
+    separators =
+        internal::find_local_separators(solid, options, report, [&](double fraction) { run_stage.progress(fraction); });
     report.number_of_separators = separators.size();
   });
   std::unique_ptr<internal::Separator_packing> packing;
   run_stage(Skeletonization_stage::pack_separators, [&] {
-    packing = internal::pack_local_separators(mesh.solid(), detail, separators, report);
+    packing = internal::pack_local_separators(solid, detail, separators, report);
     report.number_of_packed_separators = packing->packed().size();
     report.number_of_open_separators =
         std::size_t(std::count_if(packing->packed().begin(), packing->packed().end(),
@@ -98,11 +95,11 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector3> points, std:
   });
   Skeleton result;
   run_stage(Skeletonization_stage::build_skeleton, [&] {
-    const Embedded_skeleton embedded = internal::embed_skeleton(mesh.solid(), separators, packing->packed(),
+    const Embedded_skeleton embedded = internal::embed_skeleton(solid, separators, packing->packed(),
                                                                 packing->cut_graph(), options.node_spacing, report);
-    result = internal::to_input(embedded, mesh);
+    result = internal::to_input(embedded, solid);
     for (const Index separator : packing->packed()) {
-      result.separators.push_back(internal::to_input(separators[separator], mesh.solid()));
+      result.separators.push_back(internal::to_input(separators[separator], solid));
     }
     describe_skeleton(embedded.graph, report);
   });

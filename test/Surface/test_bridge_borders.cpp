@@ -28,7 +28,9 @@ struct Bridged
 {
   explicit Bridged(Indexed_triangles input) : triangles(std::move(input))
   {
-    const auto pairing = CSCD::check_manifold(triangles, [](Index vertex) { return vertex; });
+    const CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+    EXPECT_EQ(pairing.conflict(), CSCD::no_index);
+    EXPECT_EQ(pairing.pinched_vertex(), CSCD::no_index);
     number_of_borders = CSCD::internal::bridge_borders(triangles, pairing);
   }
 

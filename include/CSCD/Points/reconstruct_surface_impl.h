@@ -83,9 +83,10 @@ CSCD_INLINE std::vector<Index> vertices_of_points(const Triangulated_solid& soli
 {
   std::vector<Index> result(cloud.points.size(), no_index);
   for (Index vertex = 0; vertex < solid.triangulation().number_of_vertices(); ++vertex) {
-    const Index input = solid.input_vertex(vertex);
-    if (input != no_index && point_of_vertex[input] != no_index) {
-      result[point_of_vertex[input]] = vertex;
+    for (const Index input : solid.input_vertices(vertex)) {
+      if (point_of_vertex[input] != no_index) {
+        result[point_of_vertex[input]] = vertex;
+      }
     }
   }
   assign_to_nearest(cloud.points, result);

@@ -187,7 +187,7 @@ inline bool thin_branches(const Triangulated_solid& solid, const Vertex_assignme
 
   std::vector<char> owns_vertex(graph.size(), 0);
   for (Index vertex = 0; vertex < solid.triangulation().number_of_vertices(); ++vertex) {
-    owns_vertex[assignment.node(vertex)] |= char(solid.input_vertex(vertex) != no_index);
+    owns_vertex[assignment.node(vertex)] |= char(!solid.input_vertices(vertex).empty());
   }
   for (Index index = 0; index < graph.size(); ++index) {
     const Skeleton_builder::Node& node = graph[index];

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
 
 #include <array>
 #include <cmath>
@@ -89,21 +90,16 @@ inline constexpr double max_extent = 1e290;
 /// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
 inline Normalization normalize_extent(std::vector<Vector3>& points)
 {
-  Vector3 least = points.front();
-  Vector3 greatest = points.front();
-  for (const Vector3& point : points) {
-    least = least.cwiseMin(point);
-    greatest = greatest.cwiseMax(point);
-  }
+  const internal::Bounding_box box(points);
   // Halving before subtracting: the difference itself may overflow.
-  const double half_extent = (greatest / 2 - least / 2).maxCoeff();
-  if (greatest == least) {
+  const double half_extent = (box.max() / 2 - box.min() / 2).maxCoeff();
+  if (box.max() == box.min()) {
     throw Input_error("all vertices are at the same point: the surface has no extent; check how the input was written");
   }
   if (half_extent < min_extent || half_extent > max_extent) {
     throw Input_error("the extent of the surface is outside [1e-290, 1e290]: scale the coordinates");
   }
-  Normalization result{least / 2 + greatest / 2, half_extent};
+  Normalization result{box.min() / 2 + box.max() / 2, half_extent};
   internal::normalize(points, result);
   return result;
 }

@@ -26,20 +26,15 @@ class Solid_queries
 {
 public:
   /// Builds the hierarchy in O(n log n).
-  /// \param surface is referred to and must outlive this object; its faces should be numbered so that near numbers are
-  ///        near in space, as in `Triangle_mesh_traits`
-  explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
+  /// \param surface is referred to and must outlive this object
+  explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface), m_box(surface.points())
   {
-    std::vector<Bounding_box> boxes = block_boxes();
-    for (const Bounding_box& box : boxes) {
-      m_box.extend(box);
-    }
     m_offset = relative_offset * m_box.diagonal();
-    if (is_scattered(boxes)) {
-      m_block_size = 1;
-      boxes = block_boxes();
+    std::vector<Bounding_box> boxes(surface.number_of_faces());
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      boxes[Triangulated_surface::face(h)].extend(surface.point(surface.origin(h)));
     }
-    m_tree = Box_tree(boxes);
+    m_tree = Box_tree(boxes, faces_of_leaf);
   }
   explicit Solid_queries(Triangulated_surface&&) = delete;
 
@@ -71,7 +66,7 @@ public:
           const double distance = box.squared_distance(point);
           return distance < least ? distance : infinity;
         },
-        [&](Index block) { return min_of_block(block, try_face); });
+        try_face);
     return nearest;
   }
 
@@ -84,12 +79,11 @@ public:
     const auto try_face = [&](Index face) {
       const double distance = hit_of_face(face, ray).distance;
       if (distance < infinity && (!hit || distance < hit->distance)) {
-        hit = {face, ray.origin + distance * ray.direction, distance};
+        hit = {{ray.origin + distance * ray.direction, face}, distance};
       }
       return distance;
     };
-    m_tree.minimize([&ray](const Bounding_box& box) { return ray.entry(box); },
-                    [&](Index block) { return min_of_block(block, try_face); });
+    m_tree.minimize([&ray](const Bounding_box& box) { return ray.entry(box); }, try_face);
     return hit;
   }
 
@@ -179,12 +173,8 @@ private:
     return sum > 0 ? Vector3(a + at_b / sum * ab + at_c / sum * ac) : a;
   }
 
-  /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and queries are as fast.
-  static constexpr Index default_block_size = 4;
-  /// Above this mean diagonal of the boxes of blocks, relative to the mean length of edges, each face is a leaf of its
-  /// own: faces of near numbers are not near in space, as where thin limbs are numbered side by side. Compact blocks
-  /// have 2 to 3.
-  static constexpr double max_spread = 5;
+  /// Fewer leaves of the hierarchy are built faster, and queries are as fast.
+  static constexpr Index faces_of_leaf = 4;
   /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -202,31 +192,6 @@ private:
     direction[(axis + 1) % 3] = 0.4127;
     direction[(axis + 2) % 3] = 0.3211;
     return direction;
-  }
-
-  Index begin_of(Index block) const { return block * m_block_size; }
-  Index end_of(Index block) const { return std::min((block + 1) * m_block_size, m_surface.number_of_faces()); }
-
-  std::vector<Bounding_box> block_boxes() const
-  {
-    std::vector<Bounding_box> boxes((m_surface.number_of_faces() + m_block_size - 1) / m_block_size);
-    for (Index block = 0; block < boxes.size(); ++block) {
-      for (Index h = 3 * begin_of(block); h < 3 * end_of(block); ++h) {
-        boxes[block].extend(m_surface.point(m_surface.origin(h)));
-      }
-    }
-    return boxes;
-  }
-
-  bool is_scattered(const std::vector<Bounding_box>& boxes) const
-  {
-    double diagonals = 0;
-    double edges = 0;
-    for (Index block = 0; block < boxes.size(); ++block) {
-      diagonals += boxes[block].diagonal();
-      edges += m_surface.length(3 * begin_of(block)); // of one edge stands for all of its block
-    }
-    return diagonals > max_spread * edges;
   }
 
   struct Ray
@@ -277,17 +242,6 @@ private:
     int main_axis = 0, first_axis = 1, second_axis = 2;
   };
 
-  /// The least `value(face)` of the faces of `block`.
-  template <class Value>
-  double min_of_block(Index block, const Value& value) const
-  {
-    double least = infinity;
-    for (Index face = begin_of(block); face < end_of(block); ++face) {
-      least = std::min(least, value(face));
-    }
-    return least;
-  }
-
   /// Where a ray meets a face.
   struct Hit
   {
@@ -313,12 +267,10 @@ private:
           const double distance = ray.entry(box);
           return distance < infinity && distance <= max_distance;
         },
-        [&](Index block) {
-          for (Index face = begin_of(block); face < end_of(block); ++face) {
-            const Hit hit = hit_of_face(face, ray);
-            if (hit.distance < infinity && hit.distance <= max_distance) {
-              visit(hit);
-            }
+        [&](Index face) {
+          const Hit hit = hit_of_face(face, ray);
+          if (hit.distance < infinity && hit.distance <= max_distance) {
+            visit(hit);
           }
         });
   }
@@ -370,7 +322,6 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  Index m_block_size = default_block_size;
   Bounding_box m_box;
   double m_offset = 0;
   Box_tree m_tree;

@@ -8,8 +8,8 @@
 
 #include <CSCD/Options.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangles.h>
@@ -20,15 +20,15 @@
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,15 +54,6 @@ inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed 
   }
 }
 
-/// Replaces `values` by the ones at the places `order`.
-template <class Value>
-void reorder(std::vector<Value>& values, const std::vector<Index>& order)
-{
-  std::vector<Value> reordered(order.size());
-  std::transform(order.begin(), order.end(), reordered.begin(), [&values](Index place) { return values[place]; });
-  values = std::move(reordered);
-}
-
 /// Doubles sheets and bridges borders; counts both in `report`.
 inline Doubled_sheets close(Indexed_triangles& triangles, Halfedge_pairing& pairing, Border_treatment treatment,
                             Skeletonization_report& report)
@@ -76,7 +67,12 @@ inline Doubled_sheets close(Indexed_triangles& triangles, Halfedge_pairing& pair
   }
   report.number_of_sheets = sheets.number_of_sheets;
   report.number_of_wide_borders = sheets.number_of_wide_borders;
+  const std::size_t number_of_points = triangles.points.size();
   report.number_of_bridged_borders = bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
+  report.number_of_inserted_vertices = triangles.points.size() - number_of_points;
+  if (sheets.number_of_sheets > 0) {
+    extend_sides(triangles, sheets.side);
+  }
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
@@ -87,53 +83,45 @@ inline Doubled_sheets close(Indexed_triangles& triangles, Halfedge_pairing& pair
 
 namespace CSCD {
 
-CSCD_INLINE void Triangulated_solid::order_vertices(Indexed_triangles& triangles, Halfedge_pairing&& pairing,
-                                                    const internal::Surface_components& components)
-{
-  internal::Canonical_order order = internal::canonical_order(triangles, pairing, components);
-  pairing = {}; // before memory is allocated for the pairing of the new numbers
-  renumber(triangles, order.vertices);
-  if (!m_side_of_sheet.empty()) {
-    internal::reorder(m_side_of_sheet, order.vertices);
-  }
-  m_input_vertex = std::move(order.vertices);
-  m_component_begin = std::move(order.component_begin);
-}
-
-CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Checked_triangles&& checked,
                                                    Border_treatment treatment, unsigned number_of_threads)
 {
-  std::size_t number_of_input_points = triangles.points.size();
+  Indexed_triangles& triangles = checked.triangles;
+  Halfedge_pairing& pairing = checked.pairing;
+  std::vector<Index>& input_number = checked.input_number; // of every point; added points have none
+  m_report.number_of_input_vertices = input_number.size();
+  m_report.number_of_isolated_vertices = checked.number_of_isolated_vertices;
   const std::size_t number_of_input_faces = triangles.faces.size();
   const Normalization to_unit_box = normalize_extent(triangles.points);
   internal::Doubled_sheets sheets = internal::close(triangles, pairing, treatment, m_report);
-  std::size_t number_of_given_points = sheets.side.empty() ? number_of_input_points : sheets.side.size();
-  internal::Surface_components components(triangles);
+  input_number.resize(triangles.points.size(), no_index);
+  internal::Surface_components components(triangles, sheets.side);
   m_report.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
   const internal::Filled_cavities cavities =
-      internal::fill_cavities(triangles, pairing, components, number_of_input_points, sheets.side);
+      internal::fill_cavities(triangles, pairing, components, m_report.number_of_input_vertices, sheets.side);
   m_report.number_of_cavities = cavities.number;
-  number_of_input_points -= cavities.vertices.size();
-  number_of_given_points -= cavities.vertices.size();
+  const std::vector<Index> cavity_vertices = internal::reordered(input_number, cavities.vertices);
   m_side_of_sheet = std::move(sheets.side);
-  if (m_report.number_of_cavities > 0 && !m_side_of_sheet.empty()) {
-    internal::reorder(m_side_of_sheet, cavities.old_number);
+  if (cavities.number > 0) {
+    input_number = internal::reordered(input_number, cavities.old_number);
+    m_side_of_sheet = internal::reordered(m_side_of_sheet, cavities.old_number);
   }
-  m_number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
+  const std::size_t number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
   internal::split_two_face_components(triangles, pairing, components);
-  const bool has_many_limbs = internal::refine_large_faces(triangles, pairing, components, m_side_of_sheet);
-  m_report.number_of_inserted_vertices = triangles.points.size() - number_of_given_points;
+  const bool has_many_limbs = internal::refine_large_faces(triangles, pairing, components);
+  m_report.number_of_inserted_vertices += triangles.points.size() - input_number.size();
+  input_number.resize(triangles.points.size(), no_index);
   if (m_report.number_of_sheets > 0) {
     internal::extend_sides(triangles, m_side_of_sheet);
   }
-  order_vertices(triangles, std::move(pairing), components);
-  for (Index& point : m_input_vertex) {
-    point = point >= number_of_input_points   ? no_index
-            : m_report.number_of_cavities > 0 ? cavities.old_number[point]
-                                              : point;
-  }
+  internal::Canonical_order order = internal::canonical_order(triangles, pairing, components);
+  pairing = {}; // before memory is allocated for the pairing of the new numbers
+  renumber(triangles, order.vertices);
+  input_number = internal::reordered(input_number, order.vertices);
+  m_side_of_sheet = internal::reordered(m_side_of_sheet, order.vertices);
+  m_component_begin = std::move(order.component_begin);
   // Summed in canonical order, the area and the centroid are the same for any order of the input.
   const Normalization to_unit_area = normalize_area(triangles);
   m_normalization = to_unit_box.then(to_unit_area);
@@ -143,24 +131,41 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles
   m_report.number_of_levels = m_levels->size();
   m_report.number_of_surface_components = number_of_components();
   m_report.genus = genus();
-  for (std::size_t i = 0; i < cavities.vertices.size(); ++i) {
-    m_cavity_vertices.emplace_back(nearest_vertex(to_unit_area.from_input(cavities.places[i])), cavities.vertices[i]);
+
+  std::vector<Index> nearest; // to each vertex of cavities
+  for (const Vector3& place : cavities.places) {
+    nearest.push_back(nearest_vertex(to_unit_area.from_input(place)));
   }
+  m_input_vertices = internal::Compressed_rows<Index>(input_number.size(), [&](const auto& add) {
+    for (Index vertex = 0; vertex < input_number.size(); ++vertex) {
+      if (input_number[vertex] != no_index) {
+        add(vertex, input_number[vertex]);
+      }
+    }
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      add(nearest[i], cavity_vertices[i]);
+    }
+  });
+  warn(number_of_reversed_components);
+  m_report.seconds[std::size_t(Skeletonization_stage::compile_surface)] =
+      std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-CSCD_INLINE void Triangulated_solid::warn(Skeletonization_report& report) const
+CSCD_INLINE void Triangulated_solid::warn(std::size_t number_of_reversed_components)
 {
-  report.add_warning(report.number_of_isolated_vertices, "vertex without a face: it belongs to no node",
-                     "vertices without a face: they belong to no node");
-  report.add_warning(report.number_of_bridged_borders, "border: bridged by faces without weight",
-                     "borders: bridged by faces without weight");
-  report.add_warning(report.number_of_sheets, "sheet: its separators lead from border to border",
-                     "sheets: their separators lead from border to border");
-  report.add_warning(report.number_of_degenerate_faces, "face with (nearly) no area", "faces with (nearly) no area");
-  report.add_warning(report.number_of_cavities, "cavity: filled; its vertices belong to the nodes of the body around",
-                     "cavities: filled; their vertices belong to the nodes of the bodies around");
-  report.add_warning(m_number_of_reversed_components, "component that faced inwards: turned",
-                     "components that faced inwards: turned");
+  m_report.add_warning(m_report.number_of_isolated_vertices, "vertex without a face: it belongs to no node",
+                       "vertices without a face: they belong to no node");
+  m_report.add_warning(m_report.number_of_bridged_borders, "border: bridged by faces without weight",
+                       "borders: bridged by faces without weight");
+  m_report.add_warning(m_report.number_of_sheets, "sheet: its separators lead from border to border",
+                       "sheets: their separators lead from border to border");
+  m_report.add_warning(m_report.number_of_degenerate_faces, "face with (nearly) no area",
+                       "faces with (nearly) no area");
+  m_report.add_warning(m_report.number_of_cavities,
+                       "cavity: filled; its vertices belong to the nodes of the body around",
+                       "cavities: filled; their vertices belong to the nodes of the bodies around");
+  m_report.add_warning(number_of_reversed_components, "component that faced inwards: turned",
+                       "components that faced inwards: turned");
 }
 
 CSCD_INLINE Index Triangulated_solid::nearest_vertex(const Vector3& place) const
@@ -170,42 +175,6 @@ CSCD_INLINE Index Triangulated_solid::nearest_vertex(const Vector3& place) const
   const auto distance = [&](Index h) { return (level.surface.point(level.surface.origin(h)) - place).squaredNorm(); };
   return level.to_finest(level.surface.origin(*std::min_element(
       sides.begin(), sides.end(), [&distance](Index a, Index b) { return distance(a) < distance(b); })));
-}
-
-CSCD_INLINE Triangulated_solid::~Triangulated_solid() = default;
-
-CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const
-{
-  std::call_once(m_queries_built,
-                 [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
-  return *m_queries;
-}
-
-CSCD_INLINE bool Triangulated_solid::is_inside(const Vector3& point) const
-{
-  return queries().is_inside(point);
-}
-
-CSCD_INLINE Surface_point Triangulated_solid::closest_point(const Vector3& point) const
-{
-  return queries().closest_point(point);
-}
-
-CSCD_INLINE std::optional<Surface_hit> Triangulated_solid::first_hit(const Vector3& origin,
-                                                                     const Vector3& direction) const
-{
-  return queries().first_hit(origin, direction);
-}
-
-CSCD_INLINE std::optional<Vector3> Triangulated_solid::middle_behind(const Vector3& point) const
-{
-  return queries().middle_behind(point);
-}
-
-CSCD_INLINE void Triangulated_solid::crossings(const Vector3& from, const Vector3& to,
-                                               std::vector<double>& distances) const
-{
-  queries().crossings(from, to, distances);
 }
 
 } // namespace CSCD

@@ -8,6 +8,7 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/input_concepts.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -17,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,24 +37,12 @@ struct Edge_crossing
 /// The vertices of a simple closed curve along edges, in order; the last one and the first are neighbors.
 using Vertex_loop = std::vector<Index>;
 
-template <class Triangulation, class = void>
-struct Has_hole_filling_faces : std::false_type
-{
-};
-
-template <class Triangulation>
-struct Has_hole_filling_faces<Triangulation,
-                              std::void_t<decltype(std::declval<const Triangulation&>().is_hole_filling(Index(0)))>>
-    : std::true_type
-{
-};
-
 /// Whether `face` only bridges a border, and is not part of the surface; false for all faces of a triangulation without
 /// a member `is_hole_filling(f)`.
 template <class Triangulation>
 bool is_hole_filling_face([[maybe_unused]] const Triangulation& triangulation, [[maybe_unused]] Index face)
 {
-  if constexpr (Has_hole_filling_faces<Triangulation>::value) {
+  if constexpr (CSCD_IS_VALID(const Triangulation&, t.is_hole_filling(Index()))) {
     return triangulation.is_hole_filling(face);
   } else {
     return false;
@@ -82,12 +70,8 @@ struct Surface_point
 };
 
 /// Where a ray first meets a surface.
-struct Surface_hit
+struct Surface_hit : Surface_point
 {
-  /// The face that it is on.
-  Index face = no_index;
-  /// Its place.
-  Vector3 point = Vector3::Zero();
   double distance = 0; ///< from the origin of the ray
 };
 

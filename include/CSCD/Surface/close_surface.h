@@ -32,18 +32,17 @@ namespace CSCD::internal {
 inline std::vector<std::vector<Index>> border_cycles(const Indexed_triangles& triangles,
                                                      const Halfedge_pairing& pairing)
 {
-  const auto origin = [&triangles](Index h) { return triangles.faces[h / 3][h % 3]; };
   // The border has one fan of faces at each of its vertices, hence one halfedge that ends there.
   std::vector<Index> into(triangles.points.size(), no_index);
   for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
     if (pairing.twin(h) == no_index) {
-      into[origin(Halfedge_pairing::next(h))] = h;
+      into[triangles.target(h)] = h;
     }
   }
   std::vector<std::vector<Index>> cycles;
   for (Index start = 0; start < into.size(); ++start) {
     std::vector<Index> cycle;
-    for (Index vertex = start; into[vertex] != no_index; vertex = origin(cycle.back())) {
+    for (Index vertex = start; into[vertex] != no_index; vertex = triangles.origin(cycle.back())) {
       cycle.push_back(std::exchange(into[vertex], no_index));
     }
     if (!cycle.empty()) {
@@ -63,12 +62,12 @@ public:
     std::vector<char> on_border(triangles.points.size(), 0);
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
       if (pairing.twin(h) == no_index) {
-        on_border[origin(h)] = 1;
+        on_border[triangles.origin(h)] = 1;
       }
     }
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
-      if (on_border[origin(h)] && on_border[target(h)]) {
-        m_edges.insert(edge(origin(h), target(h)));
+      if (on_border[triangles.origin(h)] && on_border[triangles.target(h)]) {
+        m_edges.insert(edge(triangles.origin(h), triangles.target(h)));
       }
     }
   }
@@ -78,7 +77,7 @@ public:
   {
     const std::vector<std::vector<Index>> cycles = border_cycles(m_triangles, pairing);
     for (std::vector<Index> hole : cycles) {
-      std::transform(hole.begin(), hole.end(), hole.begin(), [this](Index h) { return target(h); });
+      std::transform(hole.begin(), hole.end(), hole.begin(), [this](Index h) { return m_triangles.target(h); });
       close(hole);
     }
     return cycles.size();
@@ -158,9 +157,6 @@ private:
     Index size;
   };
 
-  Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
-  Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
-
   static std::uint64_t edge(Index a, Index b)
   {
     const auto [smaller, larger] = std::minmax(a, b);
@@ -226,19 +222,13 @@ public:
   }
 
   /// Whether each component is such a cavity, without a body in it. O(n log n) where any component faces inwards.
-  /// \param side of every vertex, not 0 on a sheet, which bounds no cavity; empty without sheets
-  std::vector<char> operator()(const std::vector<signed char>& side = {})
+  std::vector<char> operator()()
   {
     if (m_components.number() == 1) {
       return m_is_cavity;
     }
     for (Index c = 0; c < m_components.number(); ++c) {
-      m_is_cavity[c] = m_components.measures[c].faces_inwards() ? 1 : 0;
-    }
-    for (std::size_t face = 0; face < m_triangles.faces.size() && !side.empty(); ++face) {
-      if (side[m_triangles.faces[face][0]] != 0) {
-        m_is_cavity[m_components.component[face]] = 0;
-      }
+      m_is_cavity[c] = m_components.measures[c].faces_inwards() && !m_components.measures[c].is_sheet ? 1 : 0;
     }
     if (std::count(m_is_cavity.begin(), m_is_cavity.end(), 1) > 0) {
       keep_within_bodies();
@@ -332,7 +322,7 @@ inline Filled_cavities fill_cavities(Indexed_triangles& triangles, Halfedge_pair
                                      Surface_components& components, std::size_t number_of_input_points,
                                      const std::vector<signed char>& side = {})
 {
-  const std::vector<char> is_cavity = Cavity_search(triangles, components)(side);
+  const std::vector<char> is_cavity = Cavity_search(triangles, components)();
   Filled_cavities result;
   result.number = std::size_t(std::count(is_cavity.begin(), is_cavity.end(), 1));
   if (result.number == 0) {
@@ -346,7 +336,7 @@ inline Filled_cavities fill_cavities(Indexed_triangles& triangles, Halfedge_pair
   }
   result.old_number = remove_components(triangles, components, [&](Index c) { return is_cavity[c] != 0; });
   pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-  components = Surface_components(triangles);
+  components = Surface_components(triangles, reordered(side, result.old_number));
   return result;
 }
 

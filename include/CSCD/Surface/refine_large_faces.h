@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -37,9 +36,8 @@ inline double squared_edge(double area, double size)
 }
 
 /// How many limbs each component has, by the curvature of its corners: the tip of a limb holds 2 pi, and so does one
-/// side of a handle, twice. Linear. \param genus of each component
-inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, const Surface_components& components,
-                                            const std::vector<std::size_t>& genus)
+/// side of a handle, twice. Linear.
+inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, const Surface_components& components)
 {
   // A cube's corners have pi / 2; rounded corners and noise have less, and a fin that is too thin for any number of
   // vertices has pi.
@@ -65,7 +63,9 @@ inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, 
   }
   std::vector<double> result(components.number());
   for (Index i = 0; i < components.number(); ++i) {
-    result[i] = std::max(curvature_of_corners[i] / boost::math::double_constants::two_pi - 2 * double(genus[i]), 0.);
+    result[i] = std::max(curvature_of_corners[i] / boost::math::double_constants::two_pi -
+                             2 * double(components.measures[i].genus()),
+                         0.);
   }
   return result;
 }
@@ -84,23 +84,31 @@ inline std::optional<Vector3> common_normal(const Vector3& a, const Vector3& b, 
              : std::nullopt;
 }
 
-/// How many faces of each component are coplanar with an adjacent one. Linear.
-inline std::vector<std::size_t> numbers_of_flat_faces(const Indexed_triangles& triangles,
-                                                      const Halfedge_pairing& pairing,
-                                                      const Surface_components& components)
+/// Of each face, whether it fills a hole.
+inline std::vector<char> hole_filling_faces(const Indexed_triangles& triangles)
 {
-  const auto point = [&](Index h) -> const Vector3& { return triangles.points[triangles.faces[h / 3][h % 3]]; };
-  const auto is_flat = [&](Index h) {
-    const Index twin = pairing.twin(h);
-    return common_normal(point(h), point(twin), point(Halfedge_pairing::previous(h)),
-                         point(Halfedge_pairing::previous(twin)))
-        .has_value();
-  };
-  std::vector<std::size_t> result(components.number(), 0);
-  for (Index f = 0; f < triangles.faces.size(); ++f) {
-    result[components.component[f]] += is_flat(3 * f) || is_flat(3 * f + 1) || is_flat(3 * f + 2) ? 1 : 0;
-  }
+  std::vector<char> result(triangles.first_hole_filling_face, 0);
+  result.resize(triangles.faces.size(), 1);
   return result;
+}
+
+/// Puts the faces where `is_hole_filling` is true behind all others, in `components`, too.
+inline void put_hole_filling_faces_last(Indexed_triangles& triangles, Surface_components& components,
+                                        const std::vector<char>& is_hole_filling)
+{
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<Index> component;
+  for (const char is_last : {char(0), char(1)}) {
+    for (std::size_t f = 0; f < is_hole_filling.size(); ++f) {
+      if (is_hole_filling[f] == is_last) {
+        faces.push_back(triangles.faces[f]);
+        component.push_back(components.component[f]);
+      }
+    }
+    triangles.first_hole_filling_face = is_last == 0 ? faces.size() : triangles.first_hole_filling_face;
+  }
+  triangles.faces = std::move(faces);
+  components.component = std::move(component);
 }
 
 /// The bound of edges that are left as they are.
@@ -113,14 +121,11 @@ class Face_refinement : private Triangle_halfedges
 {
 public:
   /// \param squared_bound the square of the longest allowed edge of each component
-  /// \param is_open of each component, whether it has hole-filling faces or is a sheet: its edges are not flipped
   Face_refinement(Indexed_triangles& triangles, Halfedge_pairing&& pairing, Surface_components& components,
-                  const std::vector<double>& squared_bound, const std::vector<char>& is_open)
-      : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound), m_is_open(is_open),
-        m_is_hole_filling(triangles.faces.size())
+                  const std::vector<double>& squared_bound)
+      : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
+        m_is_hole_filling(hole_filling_faces(triangles))
   {
-    std::fill(m_is_hole_filling.begin() + std::ptrdiff_t(triangles.first_hole_filling_face), m_is_hole_filling.end(),
-              char(1));
     Compressed_rows<Index> outgoing; // not kept
     std::move(pairing).move_to(m_twin, outgoing);
   }
@@ -145,7 +150,7 @@ public:
         --max_number;
       }
     }
-    put_hole_filling_faces_last();
+    put_hole_filling_faces_last(m_triangles, m_components, m_is_hole_filling);
   }
 
 private:
@@ -224,7 +229,7 @@ private:
     while (!m_unchecked.empty()) {
       const Index h = m_unchecked.back();
       m_unchecked.pop_back();
-      if (m_flips_left > 0 && m_is_open[m_components.component[h / 3]] == 0 && is_to_be_flipped(h)) {
+      if (m_flips_left > 0 && m_components.measures[m_components.component[h / 3]].is_body() && is_to_be_flipped(h)) {
         flip(h);
         --m_flips_left;
       }
@@ -299,27 +304,9 @@ private:
     }
   }
 
-  void put_hole_filling_faces_last()
-  {
-    std::vector<std::array<Index, 3>> faces;
-    std::vector<Index> component;
-    for (const char is_hole_filling : {char(0), char(1)}) {
-      for (std::size_t f = 0; f < m_is_hole_filling.size(); ++f) {
-        if (m_is_hole_filling[f] == is_hole_filling) {
-          faces.push_back(m_triangles.faces[f]);
-          component.push_back(m_components.component[f]);
-        }
-      }
-      m_triangles.first_hole_filling_face = is_hole_filling == 0 ? faces.size() : m_triangles.first_hole_filling_face;
-    }
-    m_triangles.faces = std::move(faces);
-    m_components.component = std::move(component);
-  }
-
   Indexed_triangles& m_triangles;
   Surface_components& m_components;
   const std::vector<double>& m_squared_bound;
-  const std::vector<char>& m_is_open;
   std::vector<char> m_is_hole_filling; ///< of every face
   std::vector<Index> m_twin;
   std::priority_queue<Long_edge> m_long_edges;
@@ -327,27 +314,11 @@ private:
   std::size_t m_flips_left = 0;
 };
 
-/// Of each component, whether it has hole-filling faces or is a sheet.
-inline std::vector<char> open_components(const Indexed_triangles& triangles, const Surface_components& components,
-                                         const std::vector<signed char>& side)
-{
-  std::vector<char> result(components.number(), 0);
-  const std::size_t first = side.empty() ? triangles.first_hole_filling_face : 0;
-  for (std::size_t f = first; f < triangles.faces.size(); ++f) {
-    if (f >= triangles.first_hole_filling_face || side[triangles.faces[f][0]] != 0) {
-      result[components.component[f]] = 1;
-    }
-  }
-  return result;
-}
-
 /// Lowers the squares of the longest edges allowed, `squared_bound`, where components that are not open have many limbs
 /// of a few long faces each, so that an even triangulation has about 64 vertices for a limb. Linear.
-/// \param genus of each component
 /// \return the number of limbs of all such components
 inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                     const Surface_components& components, const std::vector<std::size_t>& genus,
-                                     const std::vector<char>& is_open, std::vector<double>& squared_bound)
+                                     const Surface_components& components, std::vector<double>& squared_bound)
 {
   constexpr double size_of_limb = 64; // vertices: a dozen rings and more
   constexpr double min_limbs = 16;    // with fewer, the area bounds the size of faces
@@ -357,29 +328,36 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
   if (std::none_of(components.measures.begin(), components.measures.end(), has_long_faces)) {
     return 0;
   }
-  const std::vector<double> limbs = numbers_of_limbs(triangles, components, genus);
+  const std::vector<double> limbs = numbers_of_limbs(triangles, components);
   std::vector<double> bound(components.number(), no_bound);
   for (Index i = 0; i < components.number(); ++i) {
-    if (limbs[i] >= min_limbs && has_long_faces(components.measures[i]) && is_open[i] == 0) {
+    if (limbs[i] >= min_limbs && has_long_faces(components.measures[i]) && components.measures[i].is_body()) {
       bound[i] = squared_edge(components.measures[i].area, size_of_limb * limbs[i]);
     }
   }
+  const auto point = [&](Index h) -> const Vector3& { return triangles.points[triangles.origin(h)]; };
+  const auto is_flat = [&](Index h) {
+    const Index twin = pairing.twin(h);
+    return common_normal(point(h), point(twin), point(Halfedge_pairing::previous(h)),
+                         point(Halfedge_pairing::previous(twin)))
+        .has_value();
+  };
   std::vector<std::size_t> number_of_long_sides(components.number(), 0);
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+  std::vector<std::size_t> number_of_flat_faces(components.number(), 0); // coplanar with an adjacent one
+  for (Index f = 0; f < triangles.faces.size(); ++f) {
     const Index component = components.component[f];
-    const std::array<Index, 3>& face = triangles.faces[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 side = triangles.points[face[(i + 1) % 3]] - triangles.points[face[i]];
-      number_of_long_sides[component] += side.squaredNorm() > bound[component] ? 1 : 0;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const double squared_length = (point(Halfedge_pairing::next(h)) - point(h)).squaredNorm();
+      number_of_long_sides[component] += squared_length > bound[component] ? 1 : 0;
     }
+    number_of_flat_faces[component] += is_flat(3 * f) || is_flat(3 * f + 1) || is_flat(3 * f + 2) ? 1 : 0;
   }
-  const std::vector<std::size_t> flat_faces = numbers_of_flat_faces(triangles, pairing, components);
   double number_of_limbs = 0;
   for (Index i = 0; i < components.number(); ++i) {
     // Where fewer sides of faces than a quarter are longer, limbs are sampled already. The corners of a noisy body, of
     // few flat faces, carry no information.
     const std::size_t number_of_faces = components.measures[i].number_of_faces;
-    if (4 * number_of_long_sides[i] >= 3 * number_of_faces && 2 * flat_faces[i] >= number_of_faces) {
+    if (4 * number_of_long_sides[i] >= 3 * number_of_faces && 2 * number_of_flat_faces[i] >= number_of_faces) {
       squared_bound[i] = std::min(squared_bound[i], bound[i]);
       number_of_limbs += limbs[i];
     }
@@ -393,34 +371,29 @@ inline double lower_bounds_for_limbs(const Indexed_triangles& triangles, const H
 inline void split_two_face_components(Indexed_triangles& triangles, Halfedge_pairing& pairing,
                                       Surface_components& components)
 {
-  std::vector<Index> number_of_faces(components.number(), 0);
-  for (Index component : components.component) {
-    ++number_of_faces[component];
-  }
-  if (std::find(number_of_faces.begin(), number_of_faces.end(), Index(2)) == number_of_faces.end()) {
+  const auto has_two_faces = [](const Surface_components::Measure& measure) { return measure.number_of_faces == 2; };
+  if (std::none_of(components.measures.begin(), components.measures.end(), has_two_faces)) {
     return;
   }
-  std::vector<std::array<Index, 3>> faces;
-  std::vector<Index> component_of_face;
+  std::vector<char> is_hole_filling = hole_filling_faces(triangles);
   std::vector<char> is_visited(components.number(), 0);
-  std::size_t first_hole_filling_face = 0;
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-    const auto [a, b, c] = triangles.faces[f];
+  const std::size_t number_of_faces = triangles.faces.size();
+  for (std::size_t f = 0; f < number_of_faces; ++f) {
     const Index component = components.component[f];
-    if (number_of_faces[component] == 2 && is_visited[component]) {
+    Surface_components::Measure& measure = components.measures[component];
+    if (has_two_faces(measure) && std::exchange(is_visited[component], 1) != 0) {
+      const auto [a, b, c] = triangles.faces[f];
       const Index center = Index(triangles.points.size());
       triangles.points.push_back((triangles.points[a] + triangles.points[b] + triangles.points[c]) / 3);
-      faces.insert(faces.end(), {{a, b, center}, {b, c, center}, {c, a, center}});
-    } else {
-      faces.push_back(triangles.faces[f]);
+      triangles.faces[f] = {a, b, center};
+      triangles.faces.insert(triangles.faces.end(), {{b, c, center}, {c, a, center}});
+      components.component.resize(triangles.faces.size(), component);
+      is_hole_filling.resize(triangles.faces.size(), is_hole_filling[f]);
+      measure.number_of_faces += 2;
+      ++measure.number_of_vertices;
     }
-    is_visited[component] = 1;
-    component_of_face.resize(faces.size(), component);
-    first_hole_filling_face = f < triangles.first_hole_filling_face ? faces.size() : first_hole_filling_face;
   }
-  triangles.faces = std::move(faces);
-  triangles.first_hole_filling_face = first_hole_filling_face;
-  components.component = std::move(component_of_face);
+  put_hole_filling_faces_last(triangles, components, is_hole_filling);
   pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
 }
 
@@ -437,12 +410,10 @@ inline constexpr double size_of_sampled_body = 2000;
 /// already stays as it is. The shape does not change, but edges in flat parts do, except in sheets and in components
 /// with hole-filling faces. Inserted vertices are appended; hole-filling faces stay bridging. Vertices grow at most to
 /// 4 n + 6 g + 20000 for genus g, and 128 for each limb, which are fewer than n; faces accordingly. O(n log n).
-/// \param side of every vertex, not 0 on a sheet; empty without sheets
 /// \return whether there are many limbs, which coarser triangulations lose
 /// \pre `triangles` is closed and no two faces have the same corners; `pairing` and `components` are those of its
 ///      faces, and are kept so
-inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components,
-                               const std::vector<signed char>& side = {})
+inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components)
 {
   // Vertices that sample a handle well enough: with fewer, loops around each of many struts have no room.
   constexpr double size_of_sampled_handle = 32;
@@ -458,23 +429,24 @@ inline bool refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& p
   // ... and twice those of an even triangulation for each limb.
   constexpr double midpoints_of_limb = 128;
 
-  const std::vector<std::size_t> genus = genus_of_components(triangles, pairing, components);
-  const std::vector<char> is_open = open_components(triangles, components, side);
-  std::size_t budget = max_growth * triangles.points.size() + free_vertices +
-                       midpoints_of_handle * std::accumulate(genus.begin(), genus.end(), std::size_t(0));
+  std::size_t budget = max_growth * triangles.points.size() + free_vertices;
+  for (const Surface_components::Measure& measure : components.measures) {
+    budget += midpoints_of_handle * measure.genus();
+  }
   std::vector<double> squared_bound(components.number(), no_bound);
   for (Index i = 0; i < components.number(); ++i) {
-    const double size = std::min(std::max(size_of_sampled_body, size_of_sampled_handle * double(genus[i])),
-                                 double(budget) / components.number());
+    const double size =
+        std::min(std::max(size_of_sampled_body, size_of_sampled_handle * double(components.measures[i].genus())),
+                 double(budget) / components.number());
     if (components.measures[i].area > min_area && size >= min_size) {
       squared_bound[i] = squared_edge(components.measures[i].area, size);
     }
   }
-  const double limbs = lower_bounds_for_limbs(triangles, pairing, components, genus, is_open, squared_bound);
+  const double limbs = lower_bounds_for_limbs(triangles, pairing, components, squared_bound);
   budget += std::size_t(midpoints_of_limb * limbs);
   for (Index i = 0; i < components.number(); ++i) {
     if (components.measures[i].max_squared_length > squared_bound[i]) {
-      Face_refinement(triangles, std::move(pairing), components, squared_bound, is_open)(budget);
+      Face_refinement(triangles, std::move(pairing), components, squared_bound)(budget);
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
       break;
     }

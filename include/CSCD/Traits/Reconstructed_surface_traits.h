@@ -115,6 +115,7 @@ public:
   void describe_input(Skeletonization_report& report) const
   {
     report = m_surface->report();
+    report.warnings.clear(); // about the surface, which is not the input
     report.number_of_input_vertices = m_points.number_of_points();
     report.number_of_bridged_borders = m_report.number_of_holes;
     report.reconstruction = m_report;

@@ -58,14 +58,9 @@ public:
   explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map,
                                 Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
   {
-    m_mesh.emplace(
-        [&] {
-          auto arrays = internal::read_mesh(mesh, point_map);
-          m_descriptors = std::move(arrays.descriptors);
-          return check_triangles(std::move(arrays.points), std::move(arrays.faces), number_of_threads);
-        },
-        treatment, number_of_threads);
-    sort_descriptors();
+    auto arrays = internal::read_mesh(mesh, point_map);
+    m_solid.emplace(std::move(arrays.points), std::move(arrays.faces), treatment, number_of_threads);
+    sort(arrays.descriptors);
   }
   /// Compiles a mesh that need not exist: that of `triangles`, whose vertices are constructed from the numbers of the
   /// points, as in a `CGAL::Surface_mesh`. This takes less than half of the memory. Otherwise as above.
@@ -73,13 +68,13 @@ public:
   explicit Triangle_mesh_traits(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                 Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
   {
-    m_descriptors.reserve(triangles.points.size());
+    std::vector<Input_descriptor> descriptors;
+    descriptors.reserve(triangles.points.size());
     for (Index vertex = 0; vertex < triangles.points.size(); ++vertex) {
-      m_descriptors.emplace_back(vertex);
+      descriptors.emplace_back(vertex);
     }
-    m_mesh.emplace([&] { return check_triangles(std::move(triangles), std::move(pairing), number_of_threads); },
-                   treatment, number_of_threads);
-    sort_descriptors();
+    m_solid.emplace(std::move(triangles), std::move(pairing), treatment, number_of_threads);
+    sort(descriptors);
   }
   /// The same, with the point map of `mesh`.
   explicit Triangle_mesh_traits(const TriangleMesh& mesh) : Triangle_mesh_traits(mesh, get(CGAL::vertex_point, mesh)) {}
@@ -88,7 +83,7 @@ public:
   Triangle_mesh_traits(TriangleMesh&&, const VertexPointMap&) = delete;
 
   /// The surface of the mesh.
-  const Triangulated_solid& surface() const { return m_mesh->solid(); }
+  const Triangulated_solid& surface() const { return *m_solid; }
 
   /// \name Back to the input
   /// @{
@@ -104,26 +99,24 @@ public:
   /// A length on the surface in the unit of the input.
   double to_input_length(double length) const { return length * surface().normalization().unit; }
   /// Describes the input in `report`.
-  void describe_input(Skeletonization_report& report) const { m_mesh->describe(report); }
+  void describe_input(Skeletonization_report& report) const { report = m_solid->report(); }
   /// @}
 
 private:
   /// Sorts the vertices of the input by their vertices of the surface.
-  void sort_descriptors()
+  void sort(const std::vector<Input_descriptor>& descriptors)
   {
     const Index n = surface().triangulation().number_of_vertices();
     m_rows = internal::Compressed_rows<Input_descriptor>(n, [&](const auto& add) {
       for (Index vertex = 0; vertex < n; ++vertex) {
-        for (const Index input : m_mesh->input_vertices(vertex)) {
-          add(vertex, m_descriptors[input]);
+        for (const Index input : m_solid->input_vertices(vertex)) {
+          add(vertex, descriptors[input]);
         }
       }
     });
-    m_descriptors = {};
   }
 
-  std::optional<internal::Prepared_mesh> m_mesh;
-  std::vector<Input_descriptor> m_descriptors;        // of the vertices of the input, until they are sorted
+  std::optional<Triangulated_solid> m_solid;
   internal::Compressed_rows<Input_descriptor> m_rows; // by vertices of the surface
 };
 

@@ -6,10 +6,8 @@
 #ifndef CSCD_TRAITS_VOXEL_SURFACE_TRAITS_H
 #define CSCD_TRAITS_VOXEL_SURFACE_TRAITS_H
 
-#include <CSCD/Options.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/Volume/Voxel_surface.h>
@@ -17,6 +15,7 @@
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace CSCD {
@@ -41,23 +40,19 @@ public:
   /// Compiles `surface`, which is not copied if it is moved here; near linear.
   /// \pre the surface is as `Voxel_surface_builder` makes it
   explicit Voxel_surface_traits(Voxel_surface surface)
-      : m_mesh(
-            [&surface] {
-              surface.turn_cavities();
-              return check_triangles(std::move(surface.triangles), std::move(surface.pairing));
-            },
-            Border_treatment::bridge, 1)
   {
+    surface.turn_cavities();
+    m_solid.emplace(std::move(surface.triangles), std::move(surface.pairing));
   }
 
   /// The surface of the voxels.
-  const Triangulated_solid& surface() const { return m_mesh.solid(); }
+  const Triangulated_solid& surface() const { return *m_solid; }
 
   /// \name Back to the input
   /// @{
 
   /// The number of the vertex of the input that `vertex` is, or none for an inserted vertex.
-  CGAL::Iterator_range<const Index*> descriptors(Index vertex) const { return m_mesh.input_vertices(vertex); }
+  CGAL::Iterator_range<const Index*> descriptors(Index vertex) const { return m_solid->input_vertices(vertex); }
   /// A point of the surface in the coordinates of the volume.
   Point to_input_point(const Vector3& point) const
   {
@@ -66,11 +61,11 @@ public:
   /// A length on the surface in the unit of the volume.
   double to_input_length(double length) const { return length * surface().normalization().unit; }
   /// Describes the input in `report`.
-  void describe_input(Skeletonization_report& report) const { m_mesh.describe(report); }
+  void describe_input(Skeletonization_report& report) const { report = m_solid->report(); }
   /// @}
 
 private:
-  internal::Prepared_mesh m_mesh;
+  std::optional<Triangulated_solid> m_solid;
 };
 
 } // namespace CSCD

@@ -68,18 +68,17 @@ public:
   Box_tree() = default;
   /// O(n log n).
   /// \param boxes the boxes of the objects
-  explicit Box_tree(const std::vector<Bounding_box>& boxes)
+  /// \param max_leaf_size the objects that a leaf may hold: fewer leaves are built faster
+  explicit Box_tree(const std::vector<Bounding_box>& boxes, Index max_leaf_size = 1) : m_max_leaf_size(max_leaf_size)
   {
     std::vector<Entry> entries;
     entries.reserve(boxes.size());
     for (Index i = 0; i < boxes.size(); ++i) {
       entries.push_back({(boxes[i].min() + boxes[i].max()) / 2, i});
     }
-    if (!boxes.empty()) {
-      m_boxes.reserve(boxes.size() - 1);
-      m_children.reserve(boxes.size() - 1);
-      m_root = build(boxes, entries, 0, Index(boxes.size()));
-    }
+    m_objects.reserve(boxes.size());
+    m_root = boxes.empty() ? no_index : build(boxes, entries, 0, Index(boxes.size())).first;
+    m_leaf_begin.push_back(Index(m_objects.size()));
   }
 
   /// Calls `visit(object)` for all objects except in boxes where `must_enter(box)` is false.
@@ -88,8 +87,8 @@ public:
   {
     std::vector<Index> to_do;
     const auto meet = [&](Index child) {
-      if (is_object(child)) {
-        visit(child - first_object);
+      if (is_leaf(child)) {
+        visit_leaf(child, visit);
       } else if (is_node(child) && must_enter(m_boxes[child])) {
         to_do.push_back(child);
       }
@@ -114,8 +113,8 @@ public:
     std::priority_queue<Bounded_node, std::vector<Bounded_node>, std::greater<>> to_do;
     const auto meet = [&](const std::array<Index, 2>& children) {
       for (const Index child : children) {
-        if (is_object(child)) {
-          least = std::min(least, visit(child - first_object));
+        if (is_leaf(child)) {
+          visit_leaf(child, [&](Index object) { least = std::min(least, visit(object)); });
         }
       }
       for (const Index child : children) {
@@ -141,11 +140,18 @@ private:
     Index object;
   };
 
-  /// Nodes are less than this, objects are offset by it.
-  static constexpr Index first_object = Index(1) << 31;
+  /// Nodes are less than this, leaves are offset by it.
+  static constexpr Index first_leaf = Index(1) << 31;
 
-  static bool is_node(Index child) { return child < first_object; }
-  static bool is_object(Index child) { return !is_node(child) && child != no_index; }
+  static bool is_node(Index child) { return child < first_leaf; }
+  static bool is_leaf(Index child) { return !is_node(child) && child != no_index; }
+
+  template <class Visit>
+  void visit_leaf(Index leaf, const Visit& visit) const
+  {
+    const Index* const begin = &m_leaf_begin[leaf - first_leaf];
+    std::for_each(&m_objects[begin[0]], &m_objects[0] + begin[1], visit);
+  }
 
   static int longest_side(const std::vector<Entry>& entries, Index begin, Index end)
   {
@@ -158,12 +164,19 @@ private:
   }
 
   /// Builds the tree over the entries from `begin` to `end` - 1, whose halves lie on both sides of the median center
-  /// along the longest side of their box. \return its root, a node or an object
-  Index build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin, Index end)
+  /// along the longest side of their box. \return its root, a node or a leaf, and its box
+  std::pair<Index, Bounding_box> build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin,
+                                       Index end)
   {
     const Index size = end - begin;
-    if (size == 1) {
-      return first_object + entries[begin].object;
+    if (size <= m_max_leaf_size) {
+      m_leaf_begin.push_back(Index(m_objects.size()));
+      Bounding_box box;
+      for (Index i = begin; i < end; ++i) {
+        m_objects.push_back(entries[i].object);
+        box.extend(boxes[entries[i].object]);
+      }
+      return {first_leaf + Index(m_leaf_begin.size() - 1), box};
     }
     const Index middle = begin + (size + (size == 3 ? 1 : 0)) / 2;
     if (size > 2) {
@@ -171,18 +184,19 @@ private:
       std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
                        [axis](const Entry& a, const Entry& b) { return a.center[axis] < b.center[axis]; });
     }
-    const Index lower = build(boxes, entries, begin, middle);
-    const Index upper = build(boxes, entries, middle, end);
-    const auto box_of = [&](Index child) { return is_node(child) ? m_boxes[child] : boxes[child - first_object]; };
-    Bounding_box box = box_of(lower);
-    box.extend(box_of(upper));
+    const auto [lower, lower_box] = build(boxes, entries, begin, middle);
+    auto [upper, box] = build(boxes, entries, middle, end);
+    box.extend(lower_box);
     m_boxes.push_back(box);
     m_children.push_back({lower, upper});
-    return Index(m_boxes.size() - 1);
+    return {Index(m_boxes.size() - 1), box};
   }
 
+  Index m_max_leaf_size = 1;
   std::vector<Bounding_box> m_boxes; // of the inner nodes
   std::vector<std::array<Index, 2>> m_children;
+  std::vector<Index> m_objects;    // leaf by leaf
+  std::vector<Index> m_leaf_begin; // the place of the first object of every leaf, and their number at the end
   Index m_root = no_index;
 };
 

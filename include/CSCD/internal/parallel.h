@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parallel loop, over single indices and over ranges.
+// The parallel loop.
 
 #ifndef CSCD_INTERNAL_PARALLEL_H
 #define CSCD_INTERNAL_PARALLEL_H
 
 #include <CSCD/Vector3.h>
-#include <CSCD/internal/config.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #ifdef CSCD_THREAD_SANITIZER
@@ -25,30 +23,6 @@
 #endif
 
 namespace CSCD::internal {
-
-/// The indices that `for_each_range()` passes at once: enough that the loop itself does not count.
-inline constexpr Index range_size = 1U << 13U;
-
-#ifdef CGAL_LINKED_WITH_TBB
-
-/// Calls `function(begin, end)` for ranges of `range_size` indices, from 0 to `size` - 1, the last one shorter: the
-/// ranges do not depend on the number of threads. In order with one thread.
-/// \param number_of_threads 0 for as many as TBB allows
-void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function);
-
-#else
-
-// A template, as a `std::function` takes more code than the loop of one thread.
-template <class Function>
-void for_each_range(Index size, unsigned /* number_of_threads */, const Function& function)
-{
-  for (Index begin = 0, end = 0; begin < size; begin = end) {
-    end = begin + (size - begin < range_size ? size - begin : range_size);
-    function(begin, end);
-  }
-}
-
-#endif // CGAL_LINKED_WITH_TBB
 
 /// The code before a parallel loop runs before each of its calls, and each call before the code after the loop. TBB
 /// keeps this order by means of its library, which is not compiled with the thread sanitizer: all data that a loop
@@ -171,23 +145,5 @@ private:
 };
 
 } // namespace CSCD::internal
-
-#ifdef CGAL_LINKED_WITH_TBB
-
-namespace CSCD::internal {
-
-inline void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function)
-{
-  const Index number_of_ranges = size / range_size + (size % range_size != 0 ? 1 : 0);
-  For_each_index<char> for_each([] { return '\0'; }, number_of_ranges > 1 ? number_of_threads : 1);
-  for_each(number_of_ranges, [size, &function](Index range, char&) {
-    const Index begin = range * range_size;
-    function(begin, begin + std::min(range_size, size - begin));
-  });
-}
-
-} // namespace CSCD::internal
-
-#endif // CGAL_LINKED_WITH_TBB
 
 #endif // CSCD_INTERNAL_PARALLEL_H
