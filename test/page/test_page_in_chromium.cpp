@@ -87,10 +87,10 @@ protected:
     return out.str();
   }
 
-  /// The findings of the script that is put behind the scripts of `page`.
+  /// The findings of the script that is put behind the scripts of `page`, or of its function `only` if that is given.
   /// Graphics are computed in software, so that the test runs on machines without display and graphics card; network
   /// services of the browser are off. The time limit is many times what it takes.
-  std::string self_test(std::string page) const
+  std::string self_test(std::string page, const std::string& only = "") const
   {
     std::ifstream script(CSCD_SELF_TEST, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(script), std::istreambuf_iterator<char>()};
@@ -101,7 +101,7 @@ protected:
         " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist"
         " --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-quic"
         " --disable-dev-shm-usage --window-size=640,420 --virtual-time-budget=5000 --user-data-dir='" +
-        m_folder.file("profile") + "' --dump-dom 'file://" + m_folder.file("page.html") + "' 2>/dev/null";
+        m_folder.file("profile") + "' --dump-dom 'file://" + m_folder.file("page.html") + "?" + only + "' 2>/dev/null";
     const std::string dom = output_of(command);
     const std::string begin = "<pre id=\"selftest\">";
     const std::size_t first = dom.find(begin);
@@ -174,7 +174,7 @@ TEST_F(Page_in_chromium, sliders_prune_as_the_library_does)
     }
   }
   add_edge(2, 50, skeleton);
-  const std::string result = self_test(page_of(mesh, skeleton));
+  const std::string result = self_test(page_of(mesh, skeleton), "check_detail");
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_TRUE(contains(result, "ok slider significance:")) << result;
   std::set<std::size_t> sizes;
@@ -216,7 +216,7 @@ TEST_F(Page_in_chromium, tells_what_went_wrong)
   EXPECT_FALSE(contains(without_three, "selftest passed")) << without_three;
 
   const std::string with_errors =
-      self_test(with_script("console.error('a complaint');\nnew Image().src = 'file:///picture.png';"));
+      self_test(with_script("console.error('a complaint');\nnew Image().src = 'file:///picture.png';"), "check_resize");
   EXPECT_TRUE(contains(with_errors, "failed error: a complaint")) << with_errors;
   EXPECT_TRUE(contains(with_errors, "content security policy")) << with_errors;
   EXPECT_FALSE(contains(with_errors, "selftest passed")) << with_errors;
