@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -73,30 +72,68 @@ Shape triangulated(const Block& block)
   return CSCD::test::prism("drilled block", points, triangles);
 }
 
-/// The nodes of the only cycle of `skeleton`, in order: its edges are never cut, and infinitely significant.
-std::vector<Vector3> cycle_of(const CSCD::Skeleton& skeleton)
+/// Where a hole is: a way through it from far away to far away.
+using Hole = std::array<Vector3, 3>;
+
+/// The part of a full turn that the segment from `a` to `b` winds around the segment from `c` to `d`: the integral of
+/// Gauss, by the solid angle of their differences.
+double winding(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  std::vector<std::vector<Index>> neighbors(skeleton.points.size());
-  for (std::size_t edge = 0; edge < skeleton.edges.size(); ++edge) {
-    const auto& [a, b] = skeleton.edges[edge];
-    if (std::isinf(skeleton.significance[edge])) {
-      neighbors[a].push_back(b);
-      neighbors[b].push_back(a);
+  const std::array<Vector3, 4> corners{c - a, c - b, d - b, d - a};
+  const auto normal = [&](std::size_t i) { return corners[i % 4].cross(corners[(i + 1) % 4]).normalized(); };
+  double angle = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    angle += std::asin(std::clamp(normal(i).dot(normal(i + 1)), -1., 1.));
+  }
+  return std::copysign(angle / 12.566370614, (b - a).cross(d - c).dot(c - a));
+}
+
+/// How often the cycles of a connected skeleton, one for each edge that closes one, wind around each of `holes`.
+Eigen::MatrixXd windings(const CSCD::Skeleton& skeleton, const std::vector<Hole>& holes)
+{
+  const auto along = [&](Index a, Index b) {
+    Eigen::VectorXd result(holes.size());
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+      const auto& [begin, middle, end] = holes[i];
+      result[Eigen::Index(i)] = winding(skeleton.points[a], skeleton.points[b], begin, middle) +
+                                winding(skeleton.points[a], skeleton.points[b], middle, end);
     }
+    return result;
+  };
+  std::vector<Eigen::VectorXd> sums(skeleton.points.size()); // from the first node, along a tree
+  sums[0].setZero(Eigen::Index(holes.size()));
+  std::vector<std::array<Index, 2>> left = skeleton.edges;
+  for (std::size_t size = 0; size != left.size();) {
+    size = left.size();
+    left.erase(std::remove_if(left.begin(), left.end(),
+                              [&](std::array<Index, 2> edge) {
+                                if (sums[edge[0]].size() == 0) {
+                                  std::swap(edge[0], edge[1]);
+                                }
+                                if (sums[edge[0]].size() == 0 || sums[edge[1]].size() > 0) {
+                                  return false;
+                                }
+                                sums[edge[1]] = sums[edge[0]] + along(edge[0], edge[1]);
+                                return true;
+                              }),
+               left.end());
   }
-  Index first = 0;
-  while (neighbors[first].empty()) {
-    ++first;
+  Eigen::MatrixXd result(left.size(), holes.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    result.row(Eigen::Index(i)) = (sums[left[i][0]] + along(left[i][0], left[i][1]) - sums[left[i][1]]).transpose();
   }
-  std::vector<Vector3> cycle{skeleton.points[first]};
-  Index last = first;
-  for (Index node = neighbors[first].front(); node != first;) {
-    cycle.push_back(skeleton.points[node]);
-    const Index next = neighbors[node].front() == last ? neighbors[node].back() : neighbors[node].front();
-    last = node;
-    node = next;
-  }
-  return cycle;
+  return result.array().round();
+}
+
+/// Whether the cycles of the skeleton of the body of `points` and `faces` are as many as `holes`, and generate the
+/// loops around these. Sets `skeleton`.
+bool has_cycles_around(const std::vector<Hole>& holes, const std::vector<Vector3>& points,
+                       const std::vector<std::array<Index, 3>>& faces, CSCD::Skeleton& skeleton)
+{
+  const CSCD::Skeletonization_report report = CSCD::skeletonize(points, faces, CSCD::Options(), skeleton);
+  EXPECT_EQ(report.betti_number, holes.size());
+  EXPECT_EQ(report.number_of_edges_outside, 0u);
+  return std::lround(std::abs(windings(skeleton, holes).determinant())) == 1;
 }
 
 /// Whether the cycle leads around the hole of `block`, half way through it.
@@ -112,20 +149,17 @@ bool has_cycle_around_hole(const Block& block)
     faces.push_back({Index(a), Index(b), Index(c)});
   }
   CSCD::Skeleton skeleton;
-  const CSCD::Skeletonization_report report = CSCD::skeletonize(points, faces, CSCD::Options(), skeleton);
-  EXPECT_EQ(report.betti_number, 1u);
-  EXPECT_EQ(report.number_of_edges_outside, 0u);
-  const std::vector<Vector3> cycle = cycle_of(skeleton);
-  const Vector3 foot(block.x, block.y, 0);
-  double angle = 0;
+  const Hole hole{Vector3(block.x, block.y, -1e4), Vector3(block.x, block.y, 0), Vector3(block.x, block.y, 1e4)};
+  const bool leads_around = has_cycles_around({hole}, points, faces, skeleton);
   double height = 0;
-  for (std::size_t i = 0; i < cycle.size(); ++i) {
-    const Vector3 a = cycle[i] - foot;
-    const Vector3 b = cycle[(i + 1) % cycle.size()] - foot;
-    angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
-    height += a.z() / double(cycle.size());
+  double number = 0;
+  for (std::size_t edge = 0; edge < skeleton.edges.size(); ++edge) {
+    if (std::isinf(skeleton.significance[edge])) { // only edges of cycles are
+      height += skeleton.points[skeleton.edges[edge][0]].z() + skeleton.points[skeleton.edges[edge][1]].z();
+      number += 2;
+    }
   }
-  return std::lround(std::abs(angle) / 6.28) == 1 && std::abs(height - 0.5) < 0.1;
+  return leads_around && std::abs(height / number - 0.5) < 0.1;
 }
 
 TEST(Holes, through_blocks_have_cycles_around_them)
@@ -142,8 +176,8 @@ TEST(Holes, through_blocks_have_cycles_around_them)
       }
     }
   }
-  // A separator around the block that the hole passes is not always recognized: 51 are right.
-  EXPECT_GE(number_right, 50u) << "of " << number;
+  // A separator around the block that the hole passes is not always recognized: 52 are right.
+  EXPECT_GE(number_right, 51u) << "of " << number;
 }
 
 /// A pipe with a wall, of straight parts from a joint to open ends.
@@ -183,80 +217,16 @@ CSCD::Indexed_triangles surface_of(const Pipe& pipe)
   return CSCD::make_voxel_surfaces(volume).front().triangles;
 }
 
-/// The part of a full turn that the segment from `a` to `b` winds around the segment from `c` to `d`: the integral of
-/// Gauss, by the solid angle of their differences.
-double winding(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
-{
-  const std::array<Vector3, 4> corners{c - a, c - b, d - b, d - a};
-  std::array<Vector3, 4> normals;
-  for (std::size_t i = 0; i < 4; ++i) {
-    normals[i] = corners[i].cross(corners[(i + 1) % 4]).normalized();
-  }
-  double angle = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    angle += std::asin(std::max(-1., std::min(1., normals[i].dot(normals[(i + 1) % 4]))));
-  }
-  return (b - a).cross(d - c).dot(c - a) > 0 ? angle / 12.566370614 : -angle / 12.566370614;
-}
-
-/// For each edge that closes a cycle of `skeleton`, how often this winds around the hollow from the first end of `pipe`
-/// to each other one.
-std::vector<std::vector<double>> windings(const Pipe& pipe, const CSCD::Skeleton& skeleton)
-{
-  const auto far_end = [&](std::size_t i) { return pipe.joint + 1e4 * (pipe.ends[i] - pipe.joint); };
-  std::vector<std::vector<std::pair<Index, std::vector<double>>>> ways(skeleton.points.size());
-  for (const auto& [a, b] : skeleton.edges) {
-    std::vector<double> forth;
-    std::vector<double> back;
-    for (std::size_t i = 1; i < pipe.ends.size(); ++i) {
-      const Vector3& p = skeleton.points[a];
-      const Vector3& q = skeleton.points[b];
-      forth.push_back(winding(p, q, far_end(0), pipe.joint) + winding(p, q, pipe.joint, far_end(i)));
-      back.push_back(-forth.back());
-    }
-    ways[a].emplace_back(b, forth);
-    ways[b].emplace_back(a, back);
-  }
-  std::vector<std::vector<double>> sums(skeleton.points.size()); // from the first node, along a tree
-  std::vector<Index> parents(skeleton.points.size(), 0);
-  sums[0].assign(pipe.ends.size() - 1, 0);
-  std::vector<Index> reached{0};
-  std::vector<std::vector<double>> result;
-  for (std::size_t k = 0; k < reached.size(); ++k) {
-    const Index node = reached[k];
-    for (const auto& [other, way] : ways[node]) {
-      std::vector<double> sum = sums[node];
-      std::transform(sum.begin(), sum.end(), way.begin(), sum.begin(), std::plus<>());
-      if (sums[other].empty()) {
-        sums[other] = sum;
-        parents[other] = node;
-        reached.push_back(other);
-      } else if (parents[node] != other && parents[other] != node && node < other) {
-        std::transform(sum.begin(), sum.end(), sums[other].begin(), sum.begin(), std::minus<>());
-        result.push_back(sum);
-      }
-    }
-  }
-  return result;
-}
-
-/// Whether the cycles of the skeleton generate the loops around the hollow of `pipe`.
 bool has_cycles_around_hollow(const Pipe& pipe)
 {
+  std::vector<Hole> holes;
+  const auto far_end = [&](std::size_t i) { return Vector3(pipe.joint + 1e4 * (pipe.ends[i] - pipe.joint)); };
+  for (std::size_t i = 1; i < pipe.ends.size(); ++i) {
+    holes.push_back({far_end(0), pipe.joint, far_end(i)});
+  }
   const CSCD::Indexed_triangles surface = surface_of(pipe);
   CSCD::Skeleton skeleton;
-  const CSCD::Skeletonization_report report =
-      CSCD::skeletonize(surface.points, surface.faces, CSCD::Options(), skeleton);
-  EXPECT_EQ(report.betti_number, pipe.ends.size() - 1);
-  EXPECT_EQ(report.number_of_edges_outside, 0u);
-  const std::vector<std::vector<double>> rows = windings(pipe, skeleton);
-  Eigen::MatrixXd matrix(rows.size(), rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-      matrix(Eigen::Index(i), Eigen::Index(j)) = std::round(rows[i][j]);
-    }
-  }
-  return std::lround(std::abs(matrix.determinant())) == 1;
+  return has_cycles_around(holes, surface.points, surface.faces, skeleton);
 }
 
 TEST(Holes, of_pipes_have_cycles_around_them)
@@ -275,8 +245,8 @@ TEST(Holes, of_pipes_have_cycles_around_them)
       number_right += has_cycles_around_hollow({radius, wall, center, {x, -x, z, -z}}) ? 1 : 0;
     }
   }
-  // Of 20, 18 are right: two have separators through the wall next to separators along it.
-  EXPECT_GE(number_right, 17u);
+  // Of 20, 19 are right: one has separators through the wall next to separators along it.
+  EXPECT_GE(number_right, 18u);
 }
 
 } // namespace

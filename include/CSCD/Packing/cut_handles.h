@@ -324,8 +324,8 @@ inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_solid& 
   // With 0.2 to 0.9, most cycles lead around the holes of drilled plates and blocks; with 0.6, a short pipe loses its
   // shape.
   constexpr float narrow_share = 0.2F;
-  // Likewise where the center of the separator is outside, as in the hollow of a pipe whose wall it follows. Most cycles
-  // lead around the hollow of pipes from 0.8 on. Without a bound, a ring turns into a star.
+  // Likewise where the center of the separator is outside, as in the hollow of a pipe whose wall it follows. Most
+  // cycles lead around the hollow of pipes from 0.8 on. Without a bound, a ring turns into a star.
   constexpr float hollow_share = 0.8F;
 
   const std::vector<Index>& packed = packing.packed();
