@@ -3,6 +3,7 @@
 //
 // Cycles of the skeleton lead around holes: narrow ones through thick blocks, and hollows of pipes.
 
+#include "Surface/to_indexed_triangles.h"
 #include "support/simple_shapes.h"
 #include <CSCD/Options.h>
 #include <CSCD/Skeleton.h>
@@ -125,32 +126,23 @@ Eigen::MatrixXd windings(const CSCD::Skeleton& skeleton, const std::vector<Hole>
   return result.array().round();
 }
 
-/// Whether the cycles of the skeleton of the body of `points` and `faces` are as many as `holes`, and generate the
-/// loops around these. Sets `skeleton`.
-bool has_cycles_around(const std::vector<Hole>& holes, const std::vector<Vector3>& points,
-                       const std::vector<std::array<Index, 3>>& faces, CSCD::Skeleton& skeleton)
+/// Whether the cycles of the skeleton of `body` are as many as `holes`, and generate the loops around these. Sets
+/// `skeleton`.
+bool has_cycles_around(const std::vector<Hole>& holes, const CSCD::Indexed_triangles& body, CSCD::Skeleton& skeleton)
 {
-  const CSCD::Skeletonization_report report = CSCD::skeletonize(points, faces, CSCD::Options(), skeleton);
+  const CSCD::Skeletonization_report report = CSCD::skeletonize(body.points, body.faces, CSCD::Options(), skeleton);
   EXPECT_EQ(report.betti_number, holes.size());
   EXPECT_EQ(report.number_of_edges_outside, 0u);
-  return std::lround(std::abs(windings(skeleton, holes).determinant())) == 1;
+  const Eigen::MatrixXd matrix = windings(skeleton, holes);
+  return matrix.rows() == matrix.cols() && std::lround(std::abs(matrix.determinant())) == 1;
 }
 
 /// Whether the cycle leads around the hole of `block`, half way through it.
 bool has_cycle_around_hole(const Block& block)
 {
-  const Shape shape = triangulated(block);
-  std::vector<Vector3> points;
-  for (const auto& [x, y, z] : shape.points) {
-    points.emplace_back(x, y, z);
-  }
-  std::vector<std::array<Index, 3>> faces;
-  for (const auto& [a, b, c] : shape.triangles) {
-    faces.push_back({Index(a), Index(b), Index(c)});
-  }
   CSCD::Skeleton skeleton;
   const Hole hole{Vector3(block.x, block.y, -1e4), Vector3(block.x, block.y, 0), Vector3(block.x, block.y, 1e4)};
-  const bool leads_around = has_cycles_around({hole}, points, faces, skeleton);
+  const bool leads_around = has_cycles_around({hole}, CSCD::test::to_indexed_triangles(triangulated(block)), skeleton);
   double height = 0;
   double number = 0;
   for (std::size_t edge = 0; edge < skeleton.edges.size(); ++edge) {
@@ -224,9 +216,8 @@ bool has_cycles_around_hollow(const Pipe& pipe)
   for (std::size_t i = 1; i < pipe.ends.size(); ++i) {
     holes.push_back({far_end(0), pipe.joint, far_end(i)});
   }
-  const CSCD::Indexed_triangles surface = surface_of(pipe);
   CSCD::Skeleton skeleton;
-  return has_cycles_around(holes, surface.points, surface.faces, skeleton);
+  return has_cycles_around(holes, surface_of(pipe), skeleton);
 }
 
 TEST(Holes, of_pipes_have_cycles_around_them)

@@ -29,6 +29,7 @@ inline std::vector<Vector3> curve_off_surface(const Triangulated_surface& surfac
                                               const std::vector<Edge_crossing>& curve, double offset)
 {
   std::vector<Vector3> result;
+  result.reserve(curve.size());
   for (const Edge_crossing& crossing : curve) {
     const auto [h, position] = crossing;
     const Vector3 normal =
@@ -48,6 +49,7 @@ inline int linking_number(const std::vector<Vector3>& a, const std::vector<Vecto
   const Vector3 ahead = up.cross(right);
   const auto view = [&](const std::vector<Vector3>& points) {
     std::vector<Vector3> result;
+    result.reserve(points.size() + 1);
     for (const Vector3& point : points) {
       result.emplace_back(right.dot(point), ahead.dot(point), up.dot(point));
     }
