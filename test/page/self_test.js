@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The test appends this to a viewer page. It works every switch as a user does, looks at the pixels, and writes one line
-// a check into an element of its own: "ok" or "failed" at the begin. The query of the address may name the only function to run.
+// a check into an element of its own: "ok" or "failed" at the begin. The query of the address may
+// name the only function to run.
 
 const { panel, address_of, apply_address, svg_of, errors } = window.cscd;
 const lines = [];
