@@ -292,12 +292,12 @@ public:
     }
     const Vector3 chord = (m_surface.point(vertex) + m_surface.point(neighbor)) / 2 - m_source_point;
     const double length = chord.norm();
-    if (length >= m_chord_length || !is_across_body(chord, length, vertex)) {
+    if (float(length) >= m_chord_length || !is_across_body(chord, length, vertex)) {
       return;
     }
     const float stop_distance = reach_beyond_target * distance;
     m_stop_distance = has_found() ? std::min(m_stop_distance, stop_distance) : stop_distance;
-    m_chord_length = length;
+    m_chord_length = float(length);
     m_first = vertex;
     m_second = neighbor;
   }
@@ -337,7 +337,7 @@ private:
   std::function<bool(Index)> m_is_across;
   Index m_first = no_index;
   Index m_second = no_index;
-  double m_chord_length = std::numeric_limits<double>::max();
+  float m_chord_length = std::numeric_limits<float>::max(); ///< of equally near meetings, rounded so, the first counts
   float m_stop_distance = std::numeric_limits<float>::max();
 };
 

@@ -215,7 +215,9 @@ public:
       : m_separators(separators), m_arrangement(surface), m_order(costs.size())
   {
     std::iota(m_order.begin(), m_order.end(), Index(0));
-    std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) { return costs[a] < costs[b]; });
+    // Costs are compared in single precision, so that rounding does not order equal ones.
+    std::stable_sort(m_order.begin(), m_order.end(),
+                     [&](Index a, Index b) { return float(costs[a]) < float(costs[b]); });
   }
 
   /// Packs anew, from the separators that satisfy `is_allowed(separator)`.

@@ -349,9 +349,9 @@ inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_solid& 
     }
   }
   // Separators between two holes go first, then expensive ones. One with the same piece on both sides is needed.
-  std::vector<std::tuple<Index, double, Index>> order;
+  std::vector<std::tuple<Index, float, Index>> order;
   for (Index i = 0; i < packed.size(); ++i) {
-    order.emplace_back(number_of_loops[i], separator_cost(separators[packed[i]]), i);
+    order.emplace_back(number_of_loops[i], float(separator_cost(separators[packed[i]])), i);
   }
   std::sort(order.rbegin(), order.rend());
   std::vector<char> is_left_out(packed.size(), 0);

@@ -80,6 +80,9 @@ public:
 private:
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 1e-3;
+  /// Vertices at most this far below the plane are in it: rounding does not decide the side. Relative to the square
+  /// root of the area of the surface.
+  static constexpr double max_depth = 1e-12;
 
   void set_plane(const Vector3& axis, double offset)
   {
@@ -99,7 +102,8 @@ private:
     const Vector3& point = m_surface.point(vertex);
     return {point, m_axis.dot(point) - m_offset};
   }
-  bool is_above(Index vertex) const { return end_at(vertex).height >= 0; }
+  static bool is_above(const Edge_end& end) { return end.height >= -max_depth; }
+  bool is_above(Index vertex) const { return is_above(end_at(vertex)); }
 
   /// Follows the section from halfedge `first`, whose origin is above the plane and whose target is below.
   bool walk(Index first, double max_length)
@@ -118,7 +122,7 @@ private:
       const Index entry = m_surface.twin(h);
       const Edge_end apex = end_at(m_surface.opposite_vertex(entry));
       // Leave the face by the other side that runs from above to below.
-      if (apex.height >= 0) {
+      if (is_above(apex)) {
         h = Triangulated_surface::previous(entry);
         above = apex;
       } else {

@@ -67,13 +67,17 @@ inline void divide_branches(Skeleton_builder& graph)
 class Body_section
 {
 public:
-  explicit Body_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
+  explicit Body_section(const Triangulated_solid& solid)
+      : m_solid(solid), m_section(solid.query_surface()), m_reference(solid.triangulation().point(0))
+  {
+  }
 
   /// The section through `point` perpendicular to `axis`, if it surrounds the point, its centroid is in it, and it is
   /// about as large as expected and compact.
   std::optional<Section_disc> operator()(const Vector3& point, const Vector3& axis, double radius)
   {
-    const auto hit = m_solid.first_hit(point, axis.unitOrthogonal());
+    const Vector3 aside = axis.cross(m_reference);
+    const auto hit = m_solid.first_hit(point, aside.norm() > 0 ? aside.normalized() : axis.unitOrthogonal());
     if (!hit || !m_section.cut_at_face(hit->face, axis, point, max_length * 2 * pi * radius) ||
         !is_in_outline(m_section.points(), point, axis)) {
       return std::nullopt;
@@ -96,6 +100,7 @@ private:
 
   const Triangulated_solid& m_solid;
   Plane_section m_section;
+  Vector3 m_reference; ///< a vector that moves with the body
 };
 
 /// Moves the nodes of branches to the middle of the body, and smooths the branches.

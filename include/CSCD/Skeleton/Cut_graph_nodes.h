@@ -217,8 +217,9 @@ private:
   std::optional<Vector3> point_inside(const Vector3& point, const Vector3& way, const Polygon_measures& curve) const
   {
     const Vector3 outwards = way.cross(curve.vector_area).normalized();
-    const Surface_point foot = m_cut.solid.closest_point(point + curve.vector_area.norm() / curve.length * outwards);
-    const Vector3 inward = -m_cut.solid.query_surface().face_vector(foot.face).normalized();
+    const Vector3 place = point + curve.vector_area.norm() / curve.length * outwards;
+    const Surface_point foot = m_cut.solid.closest_point(place);
+    const Vector3 inward = m_cut.solid.inward_direction(foot, place);
     const double radius = curve.length / (2 * boost::math::double_constants::pi);
     const std::optional<double> depth = depth_below(m_cut.solid, foot.point, inward, radius);
     return depth ? std::optional<Vector3>(foot.point + *depth * inward) : std::nullopt;

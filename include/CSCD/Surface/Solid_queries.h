@@ -87,17 +87,24 @@ public:
     return hit;
   }
 
-  /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
-  /// `point` through there leaves the body again. None where the body is too thin to decide, or the surface intersects
-  /// itself. \pre `point` is not inside the body
+  /// The direction into the body at `nearest`, the point of the surface that is nearest to `point`. On an edge or at a
+  /// vertex no single face represents the surface, so it is that between the two points, unless rounding decides it.
+  Vector3 inward_direction(const Surface_point& nearest, const Vector3& point) const
+  {
+    const Vector3 way = nearest.point - point;
+    if (!(way.norm() > m_offset)) {
+      return -m_surface.face_vector(nearest.face).normalized();
+    }
+    return is_inside(point) ? Vector3(-way.normalized()) : way.normalized();
+  }
+
+  /// The middle of the body behind the point of the surface that is nearest to `point`: half way from there, in the
+  /// direction into the body, to where it ends. None where the body is too thin to decide, or the surface intersects
+  /// itself.
   std::optional<Vector3> middle_behind(const Vector3& point) const
   {
     const Surface_point nearest = closest_point(point);
-    // On an edge or at a vertex no single face represents the surface; but very near to it, the line is lost to
-    // rounding.
-    const Vector3 through = nearest.point - point;
-    const Vector3 inward =
-        (through.norm() > m_offset ? through : Vector3(-m_surface.face_vector(nearest.face))).normalized();
+    const Vector3 inward = inward_direction(nearest, point);
     const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
     if (!hit) {
       return std::nullopt;

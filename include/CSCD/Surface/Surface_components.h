@@ -208,7 +208,8 @@ struct Canonical_order
 };
 
 /// Where the canonical order of each component begins: the root is the vertex farthest from the centroid, and then
-/// comes the neighbor of the root that is farthest. Of equally far vertices, the lexicographically least is taken.
+/// comes the neighbor of the root that is farthest. Of equally far vertices, the lexicographically least is taken, up
+/// to rounding.
 struct Canonical_roots
 {
   Canonical_roots(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
@@ -220,7 +221,7 @@ struct Canonical_roots
     const auto distance = [&](Index v, Index c) { return (points[v] - components.measures[c].centroid).squaredNorm(); };
     const auto choose = [&](Index v, Index c, double greatest, Index& chosen) {
       if (distance(v, c) >= (1 - distance_tolerance) * greatest &&
-          (chosen == no_index || is_lexicographically_less(points[v], points[chosen]))) {
+          (chosen == no_index || is_lexicographically_less(on_grid(points[v]), on_grid(points[chosen])))) {
         chosen = v;
       }
     };
@@ -262,7 +263,7 @@ inline Canonical_order canonical_order(const Indexed_triangles& triangles, const
   const Canonical_roots roots(triangles, pairing, components);
   // The sums are rounded to single precision, so that the order of their terms does not matter.
   const auto key = [&](Index c) {
-    const Vector3& root = triangles.points[roots.vertex[c]];
+    const Vector3 root = on_grid(triangles.points[roots.vertex[c]]);
     return std::tuple(-float(components.measures[c].area), -float(roots.squared_distance[c]), root.x(), root.y(),
                       root.z());
   };

@@ -110,6 +110,9 @@ private:
   static constexpr double min_squared_cosine = 0.04;
   /// Weight of the turn of the normals against the squared length in the cost of a collapse.
   static constexpr double turn_weight = 3;
+  /// Faces of less area count as without area: rounding alone gives them a direction. Relative to the squared length of
+  /// the edge that is collapsed.
+  static constexpr double min_relative_area = 1e-9;
 
   Index* ring(Index vertex) { return m_ring.data() + m_ring_begin[vertex]; }
   const Index* ring(Index vertex) const { return m_ring.data() + m_ring_begin[vertex]; }
@@ -235,14 +238,15 @@ private:
     for (Index i = 0; i < degree; ++i) {
       face_vector[i] = face_vector[i + degree] = incident_edge[i].cross(incident_edge[i + 1]);
     }
+    // Costs are rounded to single precision: of costs that differ by rounding only, the first one counts.
     Index best = no_index;
-    double best_cost = std::numeric_limits<double>::max();
+    float best_cost = std::numeric_limits<float>::max();
     for (Index i = 0; i < degree; ++i) {
-      if (m_status[neighbors[i]] != Status::kept || incident_edge[i].squaredNorm() >= best_cost) {
+      if (m_status[neighbors[i]] != Status::kept || float(incident_edge[i].squaredNorm()) >= best_cost) {
         continue;
       }
       const double cosine = least_turn_squared_cosine(incident_edge, face_vector, degree, i);
-      const double cost = incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine));
+      const auto cost = float(incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine)));
       if (cosine >= min_squared_cosine && cost < best_cost && is_collapsible(vertex, i)) {
         best = i;
         best_cost = cost;
@@ -255,14 +259,18 @@ private:
   /// turns by 90 degrees or more.
   static double least_turn_squared_cosine(const Star& incident_edge, const Star& face_vector, Index degree, Index side)
   {
+    const double min_area = min_relative_area * incident_edge[side].squaredNorm();
+    const double min_squared_area = min_area * min_area;
     double least = 1;
     for (Index a = side + 1; a + 1 < side + degree; ++a) {
       const Vector3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[a + 1] - incident_edge[side]);
       const double product = moved.dot(face_vector[a]);
-      const double norms = moved.squaredNorm() * face_vector[a].squaredNorm();
-      if (product <= 0 || norms <= 0) {
+      const double squared_area = moved.squaredNorm();
+      const double old_squared_area = face_vector[a].squaredNorm();
+      if (product <= 0 || squared_area <= min_squared_area || old_squared_area <= min_squared_area) {
         return -1;
       }
+      const double norms = squared_area * old_squared_area;
       least = std::min(least, product * product / norms);
       if (least < min_squared_cosine) {
         return -1;

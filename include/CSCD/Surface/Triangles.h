@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <tuple>
@@ -130,6 +131,14 @@ inline void sort_faces(Indexed_triangles& triangles)
     std::sort(buckets[b].begin(), buckets[b].end());
   }
   triangles.faces = std::move(buckets).values();
+}
+
+/// The point of a fine grid that `point` is nearest to: coordinates that differ by rounding only become equal.
+/// \pre the coordinates are about 1
+inline Vector3 on_grid(const Vector3& point)
+{
+  constexpr double lines = 1 << 30; // for each unit of length
+  return {std::round(lines * point.x()), std::round(lines * point.y()), std::round(lines * point.z())};
 }
 
 /// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest

@@ -112,6 +112,11 @@ public:
   bool is_inside(const Vector3& point) const { return queries().is_inside(point); }
   /// The point of the surface nearest to `point`.
   Surface_point closest_point(const Vector3& point) const { return queries().closest_point(point); }
+  /// The direction into the body at `nearest`, the answer of `closest_point(point)`.
+  Vector3 inward_direction(const Surface_point& nearest, const Vector3& point) const
+  {
+    return queries().inward_direction(nearest, point);
+  }
   /// The first point where the ray from `origin` along `direction` meets the surface, if any.
   std::optional<Surface_hit> first_hit(const Vector3& origin, const Vector3& direction) const
   {

@@ -86,7 +86,7 @@ public:
   /// Closes the hole with these corners, counterclockwise as its faces will be.
   void close(std::vector<Index>& hole)
   {
-    start_at_min_point(hole);
+    start_at_farthest_point(hole);
     Open_polygon polygon(hole);
     m_ears = {};
     for (Index corner = 0; corner < polygon.size; ++corner) {
@@ -118,7 +118,7 @@ private:
   /// A corner of the hole that may be cut off, valid while its version is that of the corner.
   struct Ear
   {
-    double squared_diagonal;
+    float squared_diagonal; // single precision, so that rounding does not order equal ones
     Index corner;
     Index version;
     bool operator<(const Ear& other) const // the least comes first out of the queue
@@ -167,18 +167,27 @@ private:
   {
     const std::array<Index, 3> ear = polygon.triangle(corner);
     if (m_edges.count(edge(ear[0], ear[2])) == 0) {
-      const double squared_diagonal = (m_triangles.points[ear[0]] - m_triangles.points[ear[2]]).squaredNorm();
+      const auto squared_diagonal = float((m_triangles.points[ear[0]] - m_triangles.points[ear[2]]).squaredNorm());
       m_ears.push({squared_diagonal, corner, polygon.version[corner]});
     }
   }
 
-  /// Rotates `hole` to begin at its lexicographically least point. Ties between ears are broken by the number of the
-  /// corner, which thus does not depend on the numbering of the input.
-  void start_at_min_point(std::vector<Index>& hole) const
+  /// Rotates `hole` to begin at the corner that is farthest from the mean of all, of equally far ones at the
+  /// lexicographically least, up to rounding. Ties between ears are broken by the number of the corner, which thus
+  /// depends neither on the numbering of the input nor on its pose.
+  void start_at_farthest_point(std::vector<Index>& hole) const
   {
-    const auto is_less = [this](Index a, Index b) {
-      return is_lexicographically_less(m_triangles.points[a], m_triangles.points[b]);
+    const auto point = [this](Index vertex) -> const Vector3& { return m_triangles.points[vertex]; };
+    Vector3 sum = Vector3::Zero();
+    for (const Index corner : hole) {
+      sum += point(corner);
+    }
+    const Vector3 mean = sum / double(hole.size());
+    const auto key = [&](Index corner) {
+      const Vector3 place = on_grid(point(corner));
+      return std::tuple(-float((point(corner) - mean).squaredNorm()), place.x(), place.y(), place.z());
     };
+    const auto is_less = [&key](Index a, Index b) { return key(a) < key(b); };
     std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), is_less), hole.end());
   }
 

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -124,28 +125,34 @@ public:
   Face_refinement(Indexed_triangles& triangles, Halfedge_pairing&& pairing, Surface_components& components,
                   const std::vector<double>& squared_bound)
       : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
-        m_is_hole_filling(hole_filling_faces(triangles))
+        m_is_hole_filling(hole_filling_faces(triangles)), m_rank(triangles.points.size())
   {
-    Compressed_rows<Index> outgoing; // not kept
+    const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
+    for (Index rank = 0; rank < order.size(); ++rank) {
+      m_rank[order[rank]] = rank;
+    }
+    Compressed_rows<Index> outgoing;
     std::move(pairing).move_to(m_twin, outgoing);
+    const auto leads_to_lower = [this](Index g, Index h) { return m_rank[target(g)] < m_rank[target(h)]; };
+    for (const Index vertex : order) {
+      const std::size_t begin = m_unchecked.size();
+      std::copy_if(outgoing[vertex].begin(), outgoing[vertex].end(), std::back_inserter(m_unchecked),
+                   [this](Index h) { return h == directed(h); });
+      std::sort(m_unchecked.begin() + std::ptrdiff_t(begin), m_unchecked.end(), leads_to_lower);
+    }
   }
 
   /// Inserts at most `max_number` vertices.
   void operator()(std::size_t max_number)
   {
     m_flips_left = max_flips_per_halfedge * (m_twin.size() + 6 * max_number);
-    for (Index h = 0; h < m_twin.size(); ++h) {
-      if (h < m_twin[h]) {
-        m_unchecked.push_back(h);
-        push_if_long(h);
-      }
-    }
+    std::for_each(m_unchecked.begin(), m_unchecked.end(), [this](Index h) { push_if_long(h); });
     flip_edges();
     while (max_number > 0 && !m_long_edges.empty()) {
       const Long_edge edge = m_long_edges.top();
       m_long_edges.pop();
       if (edge.first == key(edge.second)) {
-        split(edge.second);
+        split(directed(edge.second));
         flip_edges();
         --max_number;
       }
@@ -154,9 +161,9 @@ public:
   }
 
 private:
-  /// The squared length, relative to the bound, and the midpoint, so that equally long edges have an order that their
-  /// numbers do not decide.
-  using Key = std::tuple<double, double, double, double>;
+  /// The squared length, relative to the bound, in single precision, and the ranks of the ends: equally long edges have
+  /// an order that neither their numbers nor rounding decide.
+  using Key = std::tuple<float, Index, Index>;
   using Long_edge = std::pair<Key, Index>;
 
   /// Angles that differ less from the angles of a rectangle are not worth a flip: rounding would decide.
@@ -169,12 +176,15 @@ private:
   Index target(Index h) const { return origin(next(h)); }
   const Vector3& point(Index h) const { return m_triangles.points[origin(h)]; }
 
+  /// The halfedge of the edge of `h` that leads to the end of higher rank.
+  Index directed(Index h) const { return m_rank[origin(h)] < m_rank[target(h)] ? h : m_twin[h]; }
+
   Vector3 midpoint(Index h) const { return (point(h) + point(next(h))) / 2; }
   Key key(Index h) const
   {
-    const Vector3 middle = midpoint(h);
-    return {(point(h) - point(next(h))).squaredNorm() / m_squared_bound[m_components.component[h / 3]], middle.x(),
-            middle.y(), middle.z()};
+    const auto [first, second] = std::minmax(m_rank[origin(h)], m_rank[target(h)]);
+    return {float((point(h) - point(next(h))).squaredNorm() / m_squared_bound[m_components.component[h / 3]]), first,
+            second};
   }
   void push_if_long(Index h)
   {
@@ -201,6 +211,7 @@ private:
     const Index before_t = m_twin[previous(t)];
     const Index middle = Index(m_triangles.points.size());
     m_triangles.points.push_back(midpoint(h));
+    m_rank.push_back(middle);
     const Index k = Index(m_twin.size());
     const Index l = k + 3;
     origin(next(h)) = middle;
@@ -227,7 +238,7 @@ private:
   void flip_edges()
   {
     while (!m_unchecked.empty()) {
-      const Index h = m_unchecked.back();
+      const Index h = directed(m_unchecked.back());
       m_unchecked.pop_back();
       if (m_flips_left > 0 && m_components.measures[m_components.component[h / 3]].is_body() && is_to_be_flipped(h)) {
         flip(h);
@@ -308,9 +319,10 @@ private:
   Surface_components& m_components;
   const std::vector<double>& m_squared_bound;
   std::vector<char> m_is_hole_filling; ///< of every face
+  std::vector<Index> m_rank;           ///< of every vertex: that in canonical order, or of insertion
   std::vector<Index> m_twin;
   std::priority_queue<Long_edge> m_long_edges;
-  std::vector<Index> m_unchecked;
+  std::vector<Index> m_unchecked; ///< halfedges of edges that may have to be flipped
   std::size_t m_flips_left = 0;
 };
 
