@@ -11,10 +11,12 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <map>
@@ -150,8 +152,10 @@ public:
   /// \param may_cross_others whether it may cross other separators
   Loop find(Index i, bool may_cross_others, float max_length)
   {
+    constexpr double tolerance = 0.999; // for lengths in single precision
     const std::map<Index, Nearest_crossing> ends = crossings_on_side(i, false);
     const std::map<Index, Nearest_crossing> begins = crossings_on_side(i, true);
+    const Bounding_box box = box_of_curve(i);
     m_search.clear();
     for (const auto& [vertex, nearest] : begins) {
       m_search.reach(vertex, nearest.first);
@@ -176,7 +180,9 @@ public:
       for (const Index h : m_surface.outgoing(vertex)) {
         const float length = distance + float(m_surface.length(h));
         const bool is_free = m_is_next_to_crossing[vertex] == 0 || is_free_to_cross(h, i, may_cross_others);
-        if (is_free && length < loop.length && m_search.reach(m_surface.target(h), length)) {
+        // The way back is at least as long as that to the box.
+        const auto way_back = float(tolerance * std::sqrt(box.squared_distance(m_surface.point(m_surface.target(h)))));
+        if (is_free && length + way_back < loop.length && m_search.reach(m_surface.target(h), length)) {
           m_entered[m_surface.target(h)] = h;
         }
       }
@@ -222,6 +228,15 @@ private:
     Index separator;
     double position; ///< from the origin of the halfedge that stands for the edge
   };
+
+  Bounding_box box_of_curve(Index i) const
+  {
+    Bounding_box box;
+    for (const Edge_crossing& crossing : m_separators[m_packed[i]].crossings) {
+      box.extend(crossing_point(m_surface, crossing));
+    }
+    return box;
+  }
 
   bool is_free_to_cross(Index halfedge, Index i, bool may_cross_others) const
   {
