@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cstddef>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,16 +65,8 @@ Input make_input(Skeleton graph)
 
 Input read_graph(const Skeletonize_options& options)
 {
-  const std::string name = name_of(options.input);
-  const bool is_standard = options.input == standard_stream;
-  if (is_standard) {
-    check_format_of_standard_input(options.format);
-  }
+  const CSCD::Shape_file shape = read_file(options.input, options.format, CSCD::internal::any_content);
   const std::string filename = options.format.empty() ? options.input : "." + options.format;
-  const CSCD::Shape_file shape =
-      CSCD::internal::parse_shape(is_standard ? CSCD::internal::read_content(std::cin, name, filename)
-                                              : CSCD::internal::read_content(options.input),
-                                  filename, name, CSCD::internal::any_content);
   std::vector<std::array<Index, 2>> edges;
   for (const auto& [a, b] : shape.lines) {
     edges.push_back({Index(a), Index(b)});

@@ -55,17 +55,13 @@ std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root)
 }
 
 void write_skeleton_output(CSCD::File_group& files, const std::string& output, const Skeleton& skeleton,
-                           const std::vector<Index>& roots, const Swc_arguments& swc)
+                           const std::vector<Index>& roots, CSCD::Swc_options swc)
 {
   if (output == standard_stream) {
     CSCD::write_gel_graph(std::cout, skeleton);
   } else if (boost::algorithm::iends_with(output, ".swc")) {
-    CSCD::Swc_options options;
-    options.type = swc.type;
-    options.min_soma_radius = swc.min_soma_radius.value_or(options.min_soma_radius);
-    options.scale = swc.scale;
-    options.roots = roots;
-    files.write(output, [&](std::ostream& out) { CSCD::write_swc(out, skeleton, options); });
+    swc.roots = roots;
+    files.write(output, [&](std::ostream& out) { CSCD::write_swc(out, skeleton, swc); });
   } else {
     files.write(output, [&](std::ostream& out) { CSCD::write_skeleton(out, output, skeleton); });
   }

@@ -32,7 +32,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <istream>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -238,13 +237,18 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-void check_format_of_standard_input(const std::string& format)
+CSCD::Shape_file read_file(const std::string& name, const std::string& format, unsigned contents)
 {
+  if (name != standard_stream) {
+    std::ifstream file = CSCD::internal::open_file(name);
+    return CSCD::internal::read_shape(file, format.empty() ? name : "." + format, name, contents);
+  }
   if (format.empty()) {
     throw Usage_error(
         "standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, vtp, "
         "graph, xyz or pcd");
   }
+  return CSCD::internal::read_shape(std::cin, "." + format, name_of(name), contents);
 }
 
 Input make_input(CSCD::Indexed_triangles&& triangles)
@@ -290,17 +294,8 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file,
                  unsigned number_of_threads)
 {
-  const std::string ending = format.empty() ? name : "." + format;
   constexpr unsigned contents = CSCD::internal::mesh_content | CSCD::internal::point_content;
-  std::ifstream file;
-  if (name == standard_stream) {
-    check_format_of_standard_input(format);
-  } else {
-    file = CSCD::internal::open_file(name);
-  }
-  std::istream& in = name == standard_stream ? std::cin : file;
-  CSCD::Shape_file soup = CSCD::internal::read_shape(in, ending, name_of(name), contents);
-  return to_input(std::move(soup), name, is_quiet, keeps_file, number_of_threads);
+  return to_input(read_file(name, format, contents), name, is_quiet, keeps_file, number_of_threads);
 }
 
 std::string name_of(const std::string& input)
@@ -317,13 +312,22 @@ Input read_mesh(const std::string& name, const std::string& format, bool is_quie
   return input;
 }
 
+void check_skeleton_argument(const std::string& filename, const std::string& other_endings)
+{
+  if (filename != standard_stream) {
+    try {
+      CSCD::check_skeleton_filename(filename);
+    } catch (const CSCD::File_error& error) {
+      throw Usage_error(error.what() + other_endings);
+    }
+  }
+}
+
 void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
                             const std::string& other_endings)
 {
   for (const std::string& output : outputs) {
-    if (output != standard_stream) {
-      check_name([&] { CSCD::check_skeleton_filename(output); }, other_endings);
-    }
+    check_skeleton_argument(output, other_endings);
     check_is_not_input(output, input, "--output");
   }
 }
