@@ -94,6 +94,9 @@ Input make_input(Skeleton graph);
 /// The name of an input in messages.
 std::string name_of(const std::string& input);
 
+/// Writes a sentence about an input to standard error.
+void say(const std::string& input, const std::string& sentence);
+
 /// The mesh of `input`, and the node of each of its vertices.
 CSCD::internal::Assigned_surface assigned_surface(const Input& input, const Skeleton& skeleton);
 
