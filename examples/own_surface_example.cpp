@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletonizes a surface that is not a mesh: a tube around a torus knot, with points by a formula and a periodic grid.
-// The skeleton should be a single cycle along the knot.
+// Skeletonizes a surface that is not a mesh: a torus, with points by a formula and a periodic grid. The skeleton should
+// be the circle in its middle.
 
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published_policies.h>
@@ -28,29 +28,25 @@ using CSCD::Index;
 using CSCD::Vector3;
 
 //! [A surface of one's own]
-/// A tube of radius 0.4 around a trefoil knot: a model of `SurfaceTriangulation` and of `SkeletonizationSurface`.
+/// A torus around the z axis: a model of `SurfaceTriangulation` and of `SkeletonizationSurface`.
 /// Vertex (i, j) is the j-th one on the i-th circle. The diagonals from (i, j) to (i + 1, j + 1) make two triangles of
 /// each quad of the grid.
-class Knot_tube : public CSCD::Triangle_halfedges
+class Torus : public CSCD::Triangle_halfedges
 {
 public:
-  static constexpr Index size = 200;  // number of circles
+  static constexpr Index size = 120;  // number of circles
   static constexpr Index around = 20; // vertices of each
-  static constexpr double radius = 0.4;
+  static constexpr double radius = 2; // of the circle in the middle
+  static constexpr double thickness = 0.4;
 
-  Knot_tube()
+  Torus()
   {
     for (Index i = 0; i < size; ++i) {
       const double t = two_pi * i / size;
-      const Vector3 normal(std::cos(3 * t) * std::cos(2 * t), std::cos(3 * t) * std::sin(2 * t), std::sin(3 * t));
-      const Vector3 center = Vector3(2 * std::cos(2 * t), 2 * std::sin(2 * t), 0) + normal;
-      const Vector3 tangent(-3 * std::sin(3 * t) * std::cos(2 * t) - 2 * center.y(),
-                            -3 * std::sin(3 * t) * std::sin(2 * t) + 2 * center.x(), 3 * std::cos(3 * t));
-      const Vector3 binormal = normal.cross(tangent).normalized();
-      m_knot.push_back(center);
       for (Index j = 0; j < around; ++j) {
         const double s = two_pi * j / around;
-        m_points.push_back(center + radius * (std::cos(s) * normal + std::sin(s) * binormal));
+        const double from_axis = radius + thickness * std::cos(s);
+        m_points.emplace_back(from_axis * std::cos(t), from_axis * std::sin(t), thickness * std::sin(s));
       }
     }
   }
@@ -94,9 +90,9 @@ public:
     return sum;
   }
 
-  const Knot_tube& triangulation() const { return *this; }
+  const Torus& triangulation() const { return *this; }
   bool is_inside(const Vector3& p) const { return distance_above(p) < 0; }
-  std::optional<Vector3> middle_behind(const Vector3& p) const { return nearest_on_knot(p); }
+  std::optional<Vector3> middle_behind(const Vector3& p) const { return nearest_in_middle(p); }
   void crossings(const Vector3& p, const Vector3& q, std::vector<double>& distances) const
   {
     distances.clear();
@@ -113,37 +109,30 @@ public:
   }
 
 private:
-  Vector3 nearest_on_knot(const Vector3& p) const
+  static Vector3 nearest_in_middle(const Vector3& p)
   {
-    Vector3 nearest = m_knot.front();
-    for (Index i = 0; i < size; ++i) {
-      const Vector3 side = m_knot[(i + 1) % size] - m_knot[i];
-      const double part = std::clamp((p - m_knot[i]).dot(side) / side.squaredNorm(), 0., 1.);
-      const Vector3 foot = m_knot[i] + part * side;
-      nearest = (p - foot).squaredNorm() < (p - nearest).squaredNorm() ? foot : nearest;
-    }
-    return nearest;
+    const double from_axis = std::hypot(p.x(), p.y());
+    return from_axis > 0 ? radius / from_axis * Vector3(p.x(), p.y(), 0) : Vector3(radius, 0, 0);
   }
-  double distance_above(const Vector3& p) const { return (p - nearest_on_knot(p)).norm() - radius; }
+  static double distance_above(const Vector3& p) { return (p - nearest_in_middle(p)).norm() - thickness; }
 
-  std::vector<Vector3> m_knot;
   std::vector<Vector3> m_points;
 };
 
 /// A model of `SkeletonizationTraits` with the coordinates of the surface; its vertices are named by row and column.
-struct Knot_traits
+struct Torus_traits
 {
   using Point = Vector3;
   using Input_descriptor = std::array<Index, 2>;
-  using Surface = Knot_tube;
+  using Surface = Torus;
 
-  const Surface& surface() const { return tube; }
-  std::array<Input_descriptor, 1> descriptors(Index v) const { return {{{v / tube.around, v % tube.around}}}; }
+  const Surface& surface() const { return torus; }
+  std::array<Input_descriptor, 1> descriptors(Index v) const { return {{{v / Torus::around, v % Torus::around}}}; }
   Point to_input_point(const Vector3& p) const { return p; }
   double to_input_length(double length) const { return length; }
   void describe_input(CSCD::Skeletonization_report& report) const { report.genus = 1; }
 
-  Knot_tube tube;
+  Torus torus;
 };
 //! [A surface of one's own]
 
@@ -151,18 +140,18 @@ struct Knot_traits
 
 int main()
 try {
-  const Knot_traits traits;
+  const Torus_traits traits;
   CSCD::Curve_skeletonization skeletonization(traits, CSCD::Published_policies());
   skeletonization.set_maximum_number_of_sources(200);
-  CSCD::Skeleton_graph<Vector3, Knot_traits::Input_descriptor> skeleton;
+  CSCD::Skeleton_graph<Vector3, Torus_traits::Input_descriptor> skeleton;
   const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
   double max_offset = 0;
   for (const auto node : CGAL::make_range(vertices(skeleton))) {
     const Vector3& point = skeleton[node].point;
-    max_offset = std::max(max_offset, (point - *traits.tube.middle_behind(point)).norm());
+    max_offset = std::max(max_offset, (point - *traits.torus.middle_behind(point)).norm());
   }
   std::cout << "nodes: " << report.number_of_nodes << ", cycles: " << report.betti_number
-            << ", tips: " << report.number_of_tips << ", farthest from the knot: " << max_offset << '\n';
+            << ", tips: " << report.number_of_tips << ", farthest from the circle: " << max_offset << '\n';
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

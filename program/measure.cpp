@@ -213,19 +213,10 @@ void write_comparison(std::ostream& out, const Compare_options& options, const C
 
 } // namespace
 
-void check_skeleton_argument(const std::string& filename)
-{
-  if (filename != standard_stream) {
-    check_name([&] { CSCD::check_skeleton_filename(filename); });
-  }
-}
-
 Skeleton read_skeleton_argument(const std::string& filename)
 {
-  constexpr unsigned contents = CSCD::internal::skeleton_content;
-  return CSCD::internal::to_skeleton(filename == standard_stream
-                                         ? CSCD::internal::read_shape(std::cin, ".graph", "standard input", contents)
-                                         : CSCD::internal::read_shape(filename, contents));
+  return CSCD::internal::to_skeleton(
+      read_file(filename, filename == standard_stream ? "graph" : "", CSCD::internal::skeleton_content));
 }
 
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options)

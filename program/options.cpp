@@ -7,7 +7,6 @@
 
 #include "other_methods.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -15,7 +14,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -41,10 +39,12 @@ constexpr const char* expert_group = "Expert";
 
 constexpr const char* argument_of_files = "FILE";
 
-void append(std::vector<Option>& table, const char* group, std::vector<Option> rows)
+/// \param kinds of input that the rows apply to, if not to all
+void append(std::vector<Option>& table, const char* group, std::vector<Option> rows, unsigned kinds = any_input)
 {
   for (Option& row : rows) {
     row.group = group;
+    row.kinds &= kinds;
     table.push_back(std::move(row));
   }
 }
@@ -108,7 +108,7 @@ Option root_option(std::string& root)
       .checked_by(check_root);
 }
 
-std::vector<Option> swc_options(Swc_arguments& swc)
+std::vector<Option> swc_options(CSCD::Swc_options& swc)
 {
   return {Option{"swc-type", &swc.type, "T", "type of all nodes in .swc, such as 2 axon, 3 dendrite"}.in(0, 7),
           Option{"soma", &swc.min_soma_radius, "R", "the thickest node is the soma in .swc if its radius is R or more"}
@@ -227,25 +227,19 @@ std::vector<Option> options_of(Skeletonize_options& o)
               .of(any_input & ~volume_input, "write the node of each voxel by -o FILE.nrrd")});
   append(table, output_group, swc_options(o.swc));
   append(table, output_group, {quiet_option(o.is_quiet)});
-  append(
-      table, volume_group,
-      {Option{"threshold", &o.volume.threshold, "T", "the body: voxels of at least T; by default all that are not 0"}
-           .of(volume_input),
-       Option{"label", &o.volume.label, "L", "the body: voxels of label L"}.at_least(1).of(volume_input),
-       Option{"all-labels", &o.volume.separates_labels, "", "a body and files FILE_L for each label L"}.of(
-           volume_input),
-       Option{"resume", &o.volume.resumes, "", "with --all-labels: leave out labels whose files are there"}.of(
-           volume_input),
-       Option{"connectivity", &o.volume.connectivity, "6|26", "number of neighbors of a voxel"}
-           .one_of({"6", "26"})
-           .of(volume_input),
-       Option{"keep-cavities", &o.volume.keeps_cavities, "", "skeletonize cavities, too, instead of filling them"}.of(
-           volume_input)});
+  append(table, volume_group,
+         {{"threshold", &o.volume.threshold, "T", "the body: voxels of at least T; by default all that are not 0"},
+          Option{"label", &o.volume.label, "L", "the body: voxels of label L"}.at_least(1),
+          {"all-labels", &o.volume.separates_labels, "", "a body and files FILE_L for each label L"},
+          {"resume", &o.volume.resumes, "", "with --all-labels: leave out labels whose files are there"},
+          Option{"connectivity", &o.volume.connectivity, "6|26", "number of neighbors of a voxel"}.one_of({"6", "26"}),
+          {"keep-cavities", &o.volume.keeps_cavities, "", "skeletonize cavities, too, instead of filling them"}},
+         volume_input);
   append(
       table, tree_group,
-      {file_option("cylinders", o.cylinders, "cylinders of a tree as CSV in the columns of TreeQSM").of(point_input),
-       Option{"breast-height", &o.breast_height, "H", "height above the root at which trunks are measured"}.above(0).of(
-           point_input)});
+      {file_option("cylinders", o.cylinders, "cylinders of a tree as CSV in the columns of TreeQSM"),
+       Option{"breast-height", &o.breast_height, "H", "height above the root at which trunks are measured"}.above(0)},
+      point_input);
   append(
       table, expert_group,
       {Option{"method", &o.method, "local|published", "algorithms of CSCD, or of the paper, much slower"}
@@ -351,15 +345,6 @@ void refuse_left_out(const std::string& argument)
 {
   throw Usage_error(argument + ": this build has neither the published method nor graphs nor wraps; configure it with "
                                "-DCSCD_WITH_ALL_METHODS=ON");
-}
-
-void check_name(const std::function<void()>& check, const std::string& more)
-{
-  try {
-    check();
-  } catch (const CSCD::File_error& error) {
-    throw Usage_error(error.what() + more);
-  }
 }
 
 void check_standard_output(std::ptrdiff_t number_of_results)

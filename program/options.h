@@ -9,6 +9,7 @@
 
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/IO/read_volume.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Options.h>
 
@@ -51,14 +52,6 @@ inline constexpr const char* estimated_radii = "estimated";
 inline constexpr const char* own_radii = "own";
 /// @}
 
-/// The contents of SWC files besides the skeleton.
-struct Swc_arguments
-{
-  std::optional<int> type;               ///< of all nodes but the soma; by default by their degrees
-  std::optional<double> min_soma_radius; ///< of the thickest node, for it to be the soma; by default there is none
-  double scale = 1;                      ///< of coordinates and radii
-};
-
 /// The voxels of a volume that belong to a body, and their connectivity.
 struct Volume_options : CSCD::Voxel_selection
 {
@@ -88,7 +81,7 @@ struct Skeletonize_options
   std::size_t maximum_number_of_sources = 0; ///< of separators; 0 for the default of the method
   Volume_options volume;
   CSCD::internal::Simplification_parameters fragments; ///< the treatment of components that are fragments
-  Swc_arguments swc;
+  CSCD::Swc_options swc;
   std::string branches;       ///< file name for the table of branches, `standard_stream`, or empty
   std::string nodes;          ///< likewise for the table of nodes
   std::string cylinders;      ///< likewise for the cylinders of a scan of trees
@@ -128,7 +121,7 @@ struct Simplify_options
   std::string format;               ///< of the mesh: an ending without its dot; by that of its name if empty
   CSCD::internal::Simplification_parameters steps;
   std::string root; ///< three coordinates with commas between, the name of a rule, or empty
-  Swc_arguments swc;
+  CSCD::Swc_options swc;
   bool is_quiet = false;
 };
 
@@ -228,10 +221,6 @@ std::vector<Option> options_of(Loops_options& options);
 
 /// The fault of the value `root` of `--root`; empty without a fault.
 std::string check_root(const std::string& root);
-
-/// Calls `check`, which looks at the name of a file. \param more behind its message
-/// \throw Usage_error if it finds a fault
-void check_name(const std::function<void()>& check, const std::string& more = "");
 
 /// \throw Usage_error if there are several results on standard output
 void check_standard_output(std::ptrdiff_t number_of_results);

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The published method, the method for graphs, and wraps of meshes.
+// The published method and the method for graphs.
 
 #include "other_methods.h"
 
 #include "Progress_bar.h"
 #include "run_skeletonization.h"
 #include "types.h"
-#include "wrap.h"
 #include <CSCD/Graph_policies.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published_policies.h>
@@ -92,15 +91,6 @@ Skeletonization_result compute_published_point_skeleton(Input& input, const Skel
 }
 
 } // namespace
-
-void wrap_input(Input& input, double size)
-{
-  Input wrapped =
-      make_input(CSCD::internal::make_manifold(wrap_mesh(input.points, input.faces, size), "the wrap").triangles);
-  input.points = std::move(wrapped.points);
-  input.faces = std::move(wrapped.faces);
-  input.is_wrapped = true;
-}
 
 void compute_other_skeleton(Input& input, const Skeletonize_options& options, Progress_visitor& visitor,
                             Skeletonization_result& result)

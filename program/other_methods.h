@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts that a program may leave out, since they take a third of its compilation: `other_methods.cpp` has them,
-// `local_method_only.cpp` refuses them.
+// The parts that a program may leave out, since they take a third of its compilation: `other_methods.cpp` and
+// `wrap.cpp` have them, `local_method_only.cpp` refuses them.
 
 #ifndef CSCD_PROGRAM_OTHER_METHODS_H
 #define CSCD_PROGRAM_OTHER_METHODS_H
@@ -19,8 +19,9 @@ class Progress_visitor;
 /// Whether this program has the published method, graphs and wraps.
 extern const bool has_all_methods;
 
-/// Puts a wrap around the mesh of `input` in its place. \param size of the gaps that it closes, relative to the
-/// diagonal \throw `CSCD::Input_error`; Usage_error if wraps are left out
+/// Puts a wrap around the mesh of `input` in its place. \param size holes, gaps and hollows that are narrower are
+/// closed; relative to the diagonal of the bounding box
+/// \throw `CSCD::Input_error` if nothing can be wrapped; Usage_error if wraps are left out
 void wrap_input(Input& input, double size);
 
 /// Skeletonizes a graph, or other input by the published method. Triangles that join points become the mesh of `input`.

@@ -10,16 +10,15 @@
 #include "write_html_page.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
-#include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_rig.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/IO/write_tables.h>
+#include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector3.h>
@@ -29,12 +28,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <istream>
+#include <locale>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -44,11 +44,6 @@
 namespace cscd {
 
 namespace {
-
-void say(const std::string& input, const std::string& sentence)
-{
-  std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
-}
 
 /// Whether a rig is written to `output`, by its ending.
 bool is_rig(const std::string& output)
@@ -167,6 +162,52 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
 
 } // namespace
 
+std::optional<Vector3> root_point(const std::string& root)
+{
+  std::array<double, 3> coordinates{};
+  std::istringstream in(root);
+  in.imbue(std::locale::classic());
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    char comma = ',';
+    if ((i > 0 && !(in >> comma)) || comma != ',' || !(in >> coordinates[i]) || !std::isfinite(coordinates[i])) {
+      return std::nullopt;
+    }
+  }
+  return (in >> std::ws).eof() ? std::optional(Vector3(coordinates[0], coordinates[1], coordinates[2])) : std::nullopt;
+}
+
+std::string check_root(const std::string& root)
+{
+  const bool is_rule = root == thickest_root || root == lowest_root || root == longest_root;
+  return is_rule || root_point(root) ? "" : "must be X,Y,Z, thickest, lowest or longest, not " + root;
+}
+
+std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root)
+{
+  if (root.empty()) {
+    return {};
+  }
+  if (const std::optional<Vector3> point = root_point(root)) {
+    return CSCD::internal::find_roots(skeleton, *point);
+  }
+  return CSCD::internal::find_roots(skeleton, root == thickest_root ? CSCD::Root_rule::thickest
+                                              : root == lowest_root ? CSCD::Root_rule::lowest
+                                                                    : CSCD::Root_rule::longest);
+}
+
+void write_skeleton_output(CSCD::File_group& files, const std::string& output, const Skeleton& skeleton,
+                           const std::vector<Index>& roots, CSCD::Swc_options swc)
+{
+  if (output == standard_stream) {
+    CSCD::write_gel_graph(std::cout, skeleton);
+  } else if (boost::algorithm::iends_with(output, ".swc")) {
+    swc.roots = roots;
+    files.write(output, [&](std::ostream& out) { CSCD::write_swc(out, skeleton, swc); });
+  } else {
+    files.write(output, [&](std::ostream& out) { CSCD::write_skeleton(out, output, skeleton); });
+  }
+}
+
 void measure_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
 {
   result.roots = find_roots(result.skeleton, options.root);
@@ -238,92 +279,22 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-void check_format_of_standard_input(const std::string& format)
+void check_skeleton_argument(const std::string& filename, const std::string& other_endings)
 {
-  if (format.empty()) {
-    throw Usage_error(
-        "standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, vtp, "
-        "graph, xyz or pcd");
-  }
-}
-
-Input make_input(CSCD::Indexed_triangles&& triangles)
-{
-  Input input;
-  input.points = std::move(triangles.points);
-  input.faces = std::move(triangles.faces);
-  for (std::array<Index, 3>& face : input.faces) {
-    std::rotate(face.begin(), face.begin() + 1, face.end()); // as CGAL's meshes number the corners of their faces
-  }
-  return input;
-}
-
-Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
-               unsigned number_of_threads)
-{
-  Input input;
-  CSCD::Shape_file as_read = keeps_file ? soup : CSCD::Shape_file();
-  if (soup.number_of_polygons() == 0) {
-    input.is_point_set = true;
-    input.number_of_points = soup.points.size();
-    input.points = std::move(soup.points);
-    input.normals = std::move(soup.normals);
-    input.has_other_columns = soup.has_other_columns;
-  } else {
-    CSCD::internal::Manifold_triangles manifold =
-        CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
-    input = make_input(std::move(manifold.triangles));
-    input.repairs = manifold.report;
-  }
-  input.as_read = std::move(as_read);
-  if (!is_quiet) {
-    for (const std::string& sentence : input.repairs.sentences()) {
-      say(name, sentence);
-    }
-    if (input.has_other_columns) {
-      say(name, "three numbers behind the coordinates are not normals, but colors or the like: ignored");
+  if (filename != standard_stream) {
+    try {
+      CSCD::check_skeleton_filename(filename);
+    } catch (const CSCD::File_error& error) {
+      throw Usage_error(error.what() + other_endings);
     }
   }
-  return input;
-}
-
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file,
-                 unsigned number_of_threads)
-{
-  const std::string ending = format.empty() ? name : "." + format;
-  constexpr unsigned contents = CSCD::internal::mesh_content | CSCD::internal::point_content;
-  std::ifstream file;
-  if (name == standard_stream) {
-    check_format_of_standard_input(format);
-  } else {
-    file = CSCD::internal::open_file(name);
-  }
-  std::istream& in = name == standard_stream ? std::cin : file;
-  CSCD::Shape_file soup = CSCD::internal::read_shape(in, ending, name_of(name), contents);
-  return to_input(std::move(soup), name, is_quiet, keeps_file, number_of_threads);
-}
-
-std::string name_of(const std::string& input)
-{
-  return input == standard_stream ? "standard input" : input;
-}
-
-Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
-{
-  Input input = read_input(name, format, is_quiet, keeps_file);
-  if (input.is_point_set) {
-    throw CSCD::Input_error(name_of(name) + ": has no faces: this needs a mesh");
-  }
-  return input;
 }
 
 void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
                             const std::string& other_endings)
 {
   for (const std::string& output : outputs) {
-    if (output != standard_stream) {
-      check_name([&] { CSCD::check_skeleton_filename(output); }, other_endings);
-    }
+    check_skeleton_argument(output, other_endings);
     check_is_not_input(output, input, "--output");
   }
 }

@@ -56,17 +56,18 @@ struct Input
 /// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.
 using Stage_progress = std::function<void(CSCD::Skeletonization_stage stage, double fraction)>;
 
-/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes the
-/// repairs to standard error unless `is_quiet`.
+/// Reads the file `name`, or standard input if that is `standard_stream`.
 /// \param format of the input, or empty for that of its ending
+/// \param contents that are asked for
+/// \throw Usage_error if standard input has no format; `CSCD::File_error` if it has none of the contents
+CSCD::Shape_file read_file(const std::string& name, const std::string& format, unsigned contents);
+
+/// Reads a mesh or points as `read_file()` does, and writes the repairs to standard error unless `is_quiet`.
 /// \param keeps_file whether the input is also kept as it was read
 /// \param number_of_threads 0 for all of the machine
-/// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
+/// \throw `CSCD::Input_error` if it cannot be repaired
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
                  unsigned number_of_threads = 1);
-
-/// \throw Usage_error if `format`, that of standard input, is not given
-void check_format_of_standard_input(const std::string& format);
 
 /// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
 Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
@@ -93,20 +94,22 @@ Input make_input(Skeleton graph);
 /// The name of an input in messages.
 std::string name_of(const std::string& input);
 
+/// Writes a sentence about an input to standard error.
+void say(const std::string& input, const std::string& sentence);
+
 /// The mesh of `input`, and the node of each of its vertices.
 CSCD::internal::Assigned_surface assigned_surface(const Input& input, const Skeleton& skeleton);
 
 /// Refuses files whose ending is not that of a format of skeletons.
+/// \param other_endings that the command knows, for messages
 /// \throw Usage_error
-void check_skeleton_argument(const std::string& filename);
+void check_skeleton_argument(const std::string& filename, const std::string& other_endings = "");
 
 /// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
 /// \throw CSCD::File_error
 Skeleton read_skeleton_argument(const std::string& filename);
 
-/// Refuses outputs whose ending is not that of a format of skeletons, and outputs that are the input.
-/// \param other_endings that the command knows, for messages
-/// \throw Usage_error
+/// The same for outputs, which must not be the input either.
 void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
                             const std::string& other_endings = "");
 
@@ -120,7 +123,7 @@ std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root)
 
 /// Writes a skeleton to a file of `files` in the format of its ending, or to standard output as a graph of GEL.
 void write_skeleton_output(CSCD::File_group& files, const std::string& output, const Skeleton& skeleton,
-                           const std::vector<Index>& roots, const Swc_arguments& swc);
+                           const std::vector<Index>& roots, CSCD::Swc_options swc);
 
 /// Removes and joins components as `options` demand.
 void treat_fragments(const CSCD::internal::Simplification_parameters& options, Skeletonization_result& result);

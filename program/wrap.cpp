@@ -3,8 +3,11 @@
 //
 // One closed surface around a mesh of any kind.
 
-#include "wrap.h"
-
+#include "other_methods.h"
+#include "types.h"
+#include <CSCD/IO/Shape_file.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
@@ -14,7 +17,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace cscd {
@@ -45,8 +48,8 @@ CSCD::Shape_file to_soup(const Wrap& wrap)
   return soup;
 }
 
-} // namespace
-
+/// The surface that CGAL's alpha wrapping puts around a mesh: closed, without parts that cut each other, and solid
+/// where the inside is reached by narrow holes only. It does not keep the vertices.
 CSCD::Shape_file wrap_mesh(const std::vector<CSCD::Vector3>& points,
                            const std::vector<std::array<CSCD::Index, 3>>& faces, double size)
 {
@@ -67,6 +70,17 @@ CSCD::Shape_file wrap_mesh(const std::vector<CSCD::Vector3>& points,
     throw CSCD::Input_error("cannot be wrapped; leave --wrap out");
   }
   return to_soup(wrap);
+}
+
+} // namespace
+
+void wrap_input(Input& input, double size)
+{
+  Input wrapped =
+      make_input(CSCD::internal::make_manifold(wrap_mesh(input.points, input.faces, size), "the wrap").triangles);
+  input.points = std::move(wrapped.points);
+  input.faces = std::move(wrapped.faces);
+  input.is_wrapped = true;
 }
 
 } // namespace cscd

@@ -195,59 +195,45 @@ cscd::Stage_progress to_progress(const py::object& callback)
 }
 
 /// A skeleton, and its input, as NumPy shows them.
-class Python_skeleton
+struct Python_skeleton
 {
-public:
-  Python_skeleton(std::shared_ptr<const cscd::Input> input, cscd::Skeletonize_options options,
-                  cscd::Skeletonization_result result, std::string report)
-      : m_input(std::move(input)), m_options(std::move(options)), m_result(std::move(result)),
-        m_report(std::move(report))
-  {
-    for (const CSCD::Vertex_label& label : cscd::labels_of_file(*m_input, m_result)) {
-      m_nodes_of_vertices.push_back(Signed_index(label.node));
-    }
-  }
+  std::shared_ptr<const cscd::Input> input;
+  cscd::Skeletonize_options options;
+  cscd::Skeletonization_result result;
+  std::string report;                            ///< of the skeletonization, as JSON
+  std::vector<Signed_index> nodes_of_vertices{}; ///< of the arrays that were skeletonized
 
-  const cscd::Input& input() const { return *m_input; }
-  const cscd::Skeletonize_options& options() const { return m_options; }
-  const cscd::Skeletonization_result& result() const { return m_result; }
-  const CSCD::Skeleton& skeleton() const { return m_result.skeleton; }
-  const std::string& report() const { return m_report; }
-  const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
-
-  Python_skeleton simplify(const py::dict& arguments, bool stays_inside) const
-  {
-    auto options = to_options<cscd::Simplify_options>(arguments);
-    options.skeleton = "skeleton"; // in messages
-    const py::gil_scoped_release release;
-    cscd::Skeletonization_result result = m_result;
-    const bool has_mesh = stays_inside && !m_input->is_point_set;
-    cscd::simplify_skeleton(options, has_mesh ? m_input.get() : nullptr, result.skeleton);
-    measure_branches(options.root, result);
-    return {m_input, m_options, std::move(result), m_report};
-  }
-
-private:
-  /// Measures the branches of a skeleton that was simplified. \param root where it begins; as before if empty
-  void measure_branches(const std::string& root, cscd::Skeletonization_result& result) const
-  {
-    cscd::Skeletonize_options options = m_options;
-    options.root = root.empty() ? options.root : root;
-    // The limbs of a tree name nodes that may be gone, and a tree has no surface.
-    std::optional<CSCD::Tree_report> tree = std::exchange(result.tree, std::nullopt);
-    if (tree) {
-      options.report.clear();
-    }
-    cscd::measure_branches(*m_input, options, result);
-    result.tree = std::move(tree);
-  }
-
-  std::shared_ptr<const cscd::Input> m_input;
-  cscd::Skeletonize_options m_options;
-  cscd::Skeletonization_result m_result;
-  std::string m_report;                          ///< of the skeletonization, as JSON
-  std::vector<Signed_index> m_nodes_of_vertices; ///< of the arrays that were skeletonized
+  const CSCD::Skeleton& skeleton() const { return result.skeleton; }
 };
+
+void find_nodes_of_vertices(Python_skeleton& skeleton)
+{
+  skeleton.nodes_of_vertices.clear();
+  for (const CSCD::Vertex_label& label : cscd::labels_of_file(*skeleton.input, skeleton.result)) {
+    skeleton.nodes_of_vertices.push_back(Signed_index(label.node));
+  }
+}
+
+Python_skeleton simplify(const Python_skeleton& skeleton, const py::dict& arguments, bool stays_inside)
+{
+  auto options = to_options<cscd::Simplify_options>(arguments);
+  options.skeleton = "skeleton"; // in messages
+  const py::gil_scoped_release release;
+  Python_skeleton simplified = skeleton;
+  const bool has_mesh = stays_inside && !skeleton.input->is_point_set;
+  cscd::simplify_skeleton(options, has_mesh ? skeleton.input.get() : nullptr, simplified.result.skeleton);
+  cscd::Skeletonize_options settings = skeleton.options;
+  settings.root = options.root.empty() ? settings.root : options.root;
+  // The limbs of a tree name nodes that may be gone, and a tree has no surface.
+  std::optional<CSCD::Tree_report> tree = std::exchange(simplified.result.tree, std::nullopt);
+  if (tree) {
+    settings.report.clear();
+  }
+  cscd::measure_branches(*skeleton.input, settings, simplified.result);
+  simplified.result.tree = std::move(tree);
+  find_nodes_of_vertices(simplified);
+  return simplified;
+}
 
 Python_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
                             const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
@@ -275,17 +261,19 @@ Python_skeleton skeletonize(const Coordinates& points, const std::optional<Corne
   cscd::Skeletonization_result result = cscd::skeletonize_input(*input, options, progress);
   std::ostringstream report;
   cscd::write_report(report, options, input->repairs.sentences(), result);
-  return {input, std::move(options), std::move(result), report.str()};
+  Python_skeleton skeleton{input, std::move(options), std::move(result), report.str()};
+  find_nodes_of_vertices(skeleton);
+  return skeleton;
 }
 
 std::string evaluate(const Python_skeleton& skeleton, const py::dict& arguments)
 {
   auto options = to_options<cscd::Evaluate_options>(arguments);
   const py::gil_scoped_release release;
-  options.input = name_of(skeleton.input());
+  options.input = name_of(*skeleton.input);
   options.skeleton = "skeleton";
   std::ostringstream out;
-  cscd::write_measures_as_json(out, options, cscd::measure_skeleton(skeleton.input(), skeleton.skeleton(), options));
+  cscd::write_measures_as_json(out, options, cscd::measure_skeleton(*skeleton.input, skeleton.skeleton(), options));
   return out.str();
 }
 
@@ -293,7 +281,7 @@ std::string page(const Python_skeleton& skeleton, const std::string& title)
 {
   cscd::check_viewer_source();
   std::ostringstream out;
-  cscd::write_page(out, skeleton.input(), skeleton.result(), title);
+  cscd::write_page(out, *skeleton.input, skeleton.result, title);
   return out.str();
 }
 
@@ -303,12 +291,12 @@ void save(const Python_skeleton& skeleton, const std::string& filename)
   if (cscd::is_page(filename)) {
     cscd::check_viewer_source();
   }
-  cscd::Skeletonize_options options = skeleton.options();
+  cscd::Skeletonize_options options = skeleton.options;
   options.input = std::filesystem::path(filename).stem().string(); // the title of a page, the name of a rig
   options.outputs = {filename};
   options.report.clear();
   CSCD::File_group files;
-  cscd::write_results(files, skeleton.input(), skeleton.result(), options);
+  cscd::write_results(files, *skeleton.input, skeleton.result, options);
   files.publish();
 }
 
@@ -316,7 +304,7 @@ void save(const Python_skeleton& skeleton, const std::string& filename)
 /// it
 CSCD::internal::Skeletonized_surface skeletonized_surface(const Python_skeleton& skeleton)
 {
-  const cscd::Input& input = skeleton.input();
+  const cscd::Input& input = *skeleton.input;
   if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || input.faces.empty()) {
     throw cscd::Usage_error(
         "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
@@ -327,7 +315,7 @@ CSCD::internal::Skeletonized_surface skeletonized_surface(const Python_skeleton&
 
 std::vector<double> shape_diameters(const Python_skeleton& skeleton)
 {
-  return CSCD::internal::shape_diameters(skeletonized_surface(skeleton), skeleton.input().points.size(),
+  return CSCD::internal::shape_diameters(skeletonized_surface(skeleton), skeleton.input->points.size(),
                                          CSCD::default_number_of_diameter_smoothing_steps);
 }
 
@@ -393,7 +381,7 @@ void define_arrays(py::class_<Python_skeleton>& type)
   define(
       "significance", 0., [](Python self) -> const auto& { return self.skeleton().significance; });
   define(
-      "vertex_to_node", Signed_index(0), [](Python self) -> const auto& { return self.nodes_of_vertices(); });
+      "vertex_to_node", Signed_index(0), [](Python self) -> const auto& { return self.nodes_of_vertices; });
 }
 
 /// The corners of the polygons, a row each, padded with -1 to the length of the longest.
@@ -418,8 +406,7 @@ py::tuple read_file(const std::string& filename)
   CSCD::Shape_file shape;
   {
     const py::gil_scoped_release release;
-    shape = CSCD::internal::parse_shape(CSCD::internal::read_content(filename), filename, filename,
-                                        CSCD::internal::any_content);
+    shape = CSCD::internal::read_shape(filename, CSCD::internal::any_content);
   }
   return py::make_tuple(rows_or_none<double>(shape.points),
                         shape.number_of_polygons() > 0 ? polygons_of(shape) : py::none(),
@@ -479,11 +466,11 @@ PYBIND11_MODULE(_core, module)
   const py::call_guard<py::gil_scoped_release> without_gil;
   py::class_<Python_skeleton> type(module, "Skeleton");
   define_arrays(type);
-  type.def_property_readonly("report", &Python_skeleton::report)
-      .def_property_readonly("warnings", [](const Python_skeleton& skeleton) { return skeleton.result().warnings(); })
+  type.def_readonly("report", &Python_skeleton::report)
+      .def_property_readonly("warnings", [](const Python_skeleton& skeleton) { return skeleton.result.warnings(); })
       .def_property_readonly("repairs",
-                             [](const Python_skeleton& skeleton) { return skeleton.input().repairs.sentences(); })
-      .def("simplify", &Python_skeleton::simplify, "options"_a, "stays_inside"_a)
+                             [](const Python_skeleton& skeleton) { return skeleton.input->repairs.sentences(); })
+      .def("simplify", &simplify, "options"_a, "stays_inside"_a)
       .def("evaluate", &evaluate, "options"_a)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
@@ -491,7 +478,7 @@ PYBIND11_MODULE(_core, module)
       .def("save", &save, "filename"_a, without_gil)
       .def("branches", [](const Python_skeleton& skeleton) {
         py::list result;
-        for (const CSCD::Skeleton_branch& branch : skeleton.result().branches.branches) {
+        for (const CSCD::Skeleton_branch& branch : skeleton.result.branches.branches) {
           result.append(to_tuple(branch));
         }
         return result;

@@ -91,38 +91,26 @@ const render_order = { points: 5, balls: 10, surface: 20, near_curves: 30, marks
 
 const rgb = (text) => new THREE.Color(text).toArray();
 
-function solid(geometry, vertexShader, uniforms) {
-  const material = new THREE.ShaderMaterial({
-    vertexShader,
-    fragmentShader: solid_fragment,
-    side: THREE.DoubleSide,
-    uniforms: { paleness: { value: 0 }, ...uniforms },
-  });
-  const mesh = new THREE.Mesh(geometry, material);
+function shaded(geometry, parameters) {
+  const mesh = new THREE.Mesh(geometry, new THREE.ShaderMaterial({ side: THREE.DoubleSide, ...parameters }));
   mesh.frustumCulled = false;
   return mesh;
+}
+
+function solid(geometry, vertexShader, uniforms) {
+  const all = { paleness: { value: 0 }, ...uniforms };
+  return shaded(geometry, { vertexShader, fragmentShader: solid_fragment, uniforms: all });
 }
 
 // Only the layer nearest to the eye is blended: a first pass writes depth alone. Solid objects are drawn before, and so
 // shine through. Triangles need no sorting, and bodies behind one another do not add up to a fog.
 function translucent(geometry, vertexShader, uniforms, order) {
-  const group = new THREE.Group();
-  for (const pass of ['depth', 'color']) {
-    const material = new THREE.ShaderMaterial({
-      vertexShader,
-      fragmentShader: translucent_fragment,
-      uniforms,
-      side: THREE.DoubleSide,
-      transparent: true,
-      depthWrite: pass === 'depth',
-      colorWrite: pass === 'color',
-    });
-    const mesh = new THREE.Mesh(geometry, material);
-    mesh.renderOrder = pass === 'depth' ? order : order + 1;
-    mesh.frustumCulled = false;
-    group.add(mesh);
-  }
-  return group;
+  const look = { vertexShader, fragmentShader: translucent_fragment, uniforms, transparent: true };
+  const depth = shaded(geometry, { ...look, colorWrite: false });
+  const color = shaded(geometry, { ...look, depthWrite: false });
+  depth.renderOrder = order;
+  color.renderOrder = order + 1;
+  return group_of(depth, color);
 }
 
 function group_of(...objects) {

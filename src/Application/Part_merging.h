@@ -65,29 +65,10 @@ struct Slice_graph
   double area = 0; ///< of all slices
 };
 
-/// The features of two neighboring parts. Of the two, the smaller one has less area.
-enum class Merge_feature
-{
-  turning,              ///< mean turning of the surface across the boundary, in radians
-  concave_turning,      ///< mean of its concave part
-  thickness_ratio,      ///< logarithm of the mean diameter of the larger part over that of the smaller
-  thickness_difference, ///< its absolute value
-  near_thickness_ratio, ///< the same as the ratio, within three radii of the boundary
-  near_thickness_difference,
-  boundary_over_size,  ///< logarithm of the squared length of the boundary over the area of the smaller part
-  smaller_size,        ///< logarithm of the area of the smaller part over that of the surface
-  larger_size,         ///< the same of the larger part
-  boundary_over_girth, ///< logarithm of the length of the boundary over the girth of a limb as thick
-  straightness,        ///< cosine of the turn of the skeleton across the boundary
-  slenderness,         ///< logarithm of the area of the smaller part over its squared diameter
-  share_of_smaller,    ///< of the boundary in all that the smaller part has
-  share_of_larger,     ///< likewise of the larger part
-  junction             ///< 1 if a junction of the skeleton is near, else 0
-};
-
-/// The number of features.
+/// The number of features of two neighboring parts.
 inline constexpr std::size_t number_of_merge_features = 15;
 
+/// In the order of `Part_merging::features()`.
 using Merge_features = std::array<double, number_of_merge_features>;
 
 /// The logarithm of the odds that two parts are one for people.
@@ -188,6 +169,7 @@ private:
     return result;
   }
 
+  /// The features of the parts at a border. Of the two, the smaller one has less area.
   Merge_features features(const Part_border& border) const
   {
     const Part& first = m_parts[border.parts[0]];
@@ -205,22 +187,25 @@ private:
     const double ratio = larger.mean_log_diameter() - smaller.mean_log_diameter();
     const double near_ratio = near_larger.log_diameter - near_smaller.log_diameter;
     constexpr double log_pi = 1.1447298858494002;
+    const double straightness =
+        (center - near_smaller.center).normalized().dot((near_larger.center - center).normalized());
+    const bool has_junction = near_smaller.has_junction || near_larger.has_junction;
     Merge_features result{
-        boundary.turning / length,
+        boundary.turning / length, // mean, of the surface
         boundary.concave_turning / length,
-        ratio,
+        ratio, // of the mean diameters, a logarithm as the others
         std::abs(ratio),
-        near_ratio,
+        near_ratio, // within three radii of the boundary
         std::abs(near_ratio),
         std::log(length * length / smaller.area),
         std::log(smaller.area / m_graph.area),
         std::log(larger.area / m_graph.area),
-        std::log(length) - log_pi - log_diameter,
-        (center - near_smaller.center).normalized().dot((near_larger.center - center).normalized()),
-        std::log(smaller.area) - 2 * smaller.mean_log_diameter(),
+        std::log(length) - log_pi - log_diameter,                 // length over the girth of a limb as thick
+        straightness,                                             // of the skeleton across the boundary, a cosine
+        std::log(smaller.area) - 2 * smaller.mean_log_diameter(), // slenderness
         length / smaller.boundary_length,
         length / larger.boundary_length,
-        near_smaller.has_junction || near_larger.has_junction ? 1. : 0.,
+        has_junction ? 1. : 0.,
     };
     for (double& feature : result) { // of parts without extent
       feature = std::isfinite(feature) ? feature : 0;

@@ -302,14 +302,6 @@ void smooth(const Assigned_surface& surface, double distance, std::vector<Rig::I
   }
 }
 
-/// `skeleton` in one piece, with the same nodes.
-Skeleton join_components(const Skeleton& skeleton)
-{
-  Simplification_parameters parameters;
-  parameters.joins_components = true;
-  return simplify_skeleton(Skeleton(skeleton), {}, parameters, nullptr).skeleton;
-}
-
 /// The largest side of the box of `points`.
 double size_of(const std::vector<Vector3>& points)
 {
@@ -457,10 +449,13 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
   return result;
 }
 
-/// The skeleton itself.
+/// The skeleton itself, its components joined.
 Rig_axis axis_of_limbs(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root)
 {
-  Rig_axis result{join_components(parts), surface.node_of_vertex, measure_branches(parts).branch_of_node, 0};
+  Rig_axis result{parts, surface.node_of_vertex, measure_branches(parts).branch_of_node, 0};
+  Simplification_parameters parameters;
+  parameters.joins_components = true;
+  simplify_skeleton(result.skeleton, parameters, nullptr);
   result.root = root.value_or(find_roots(result.skeleton, Root_rule::thickest).front());
   return result;
 }

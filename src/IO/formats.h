@@ -21,7 +21,7 @@ namespace CSCD::internal {
 /// \param filename for messages
 /// \param contents that are read: points, normals and polygons for a mesh or points; points, radii, openings and lines for
 ///        a skeleton. The rest is passed over: faults there do not matter, and it takes no memory
-/// \throw File_error if `content` is malformed, or holds faces where lines are wanted
+/// \throw File_error if `content` is malformed
 using Parser = Shape_file(std::string_view content, const std::string& filename, unsigned contents);
 
 // Meshes; some of these formats also hold points alone, or skeletons.
@@ -46,12 +46,6 @@ Parser parse_swc;
                                       const std::string& remedy = "write the file again")
 {
   throw File_error(filename + ": " + fault + "; " + remedy);
-}
-
-/// Refuses a file of a mesh where a skeleton is wanted.
-[[noreturn]] inline void fail_without_lines(const std::string& filename)
-{
-  fail_in_file(filename, "the file has faces but no lines: a mesh, not a skeleton", "name a file with lines");
 }
 
 /// The number of points as an index is checked here, so that no parser can overflow `Index`.

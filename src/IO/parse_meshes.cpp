@@ -203,8 +203,6 @@ Shape_file parse_obj(std::string_view content, const std::string& filename, unsi
       scanner.word(); // indices of texture coordinates and normals
     }
   };
-  bool has_faces = false;
-  bool has_lines = false;
   while (scanner.skip_blanks('#')) {
     const std::string_view statement = scanner.word();
     if (statement == "v") {
@@ -213,7 +211,6 @@ Shape_file parse_obj(std::string_view content, const std::string& filename, unsi
       for_each_vertex([&](std::int64_t vertex) { shape.corners.push_back(Index(vertex)); });
       shape.end_polygon();
     } else if (statement == "l" && (contents & skeleton_content) != 0) {
-      has_lines = true;
       std::int64_t previous = -1;
       for_each_vertex([&](std::int64_t vertex) {
         if (previous >= 0) {
@@ -222,11 +219,8 @@ Shape_file parse_obj(std::string_view content, const std::string& filename, unsi
         previous = vertex;
       });
     }
-    has_faces = has_faces || statement == "f";
+    shape.has_polygons = shape.has_polygons || statement == "f";
     scanner.skip_line();
-  }
-  if (contents == skeleton_content && has_faces && !has_lines) {
-    fail_without_lines(filename);
   }
   check_number_of_points(shape.points.size(), filename);
   check_corners(shape, filename);

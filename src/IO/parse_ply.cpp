@@ -63,26 +63,19 @@ public:
   Shape_file parse()
   {
     read_header();
-    bool has_faces = false;
-    bool has_edges = false;
     for (const Ply_element& element : m_elements) {
       const bool is_face = element.is_called("face", "faces");
-      const bool is_edge = element.is_called("edge", "edges");
-      has_faces = has_faces || is_face;
-      has_edges = has_edges || is_edge;
+      m_shape.has_polygons = m_shape.has_polygons || is_face;
       if (element.is_called("vertex", "vertices")) {
         read_points(element);
       } else if (is_face && m_contents != skeleton_content) {
         read_polygons(element);
-      } else if (is_edge && (m_contents & skeleton_content) != 0) {
+      } else if (element.is_called("edge", "edges") && (m_contents & skeleton_content) != 0) {
         read_edges(element);
       } else {
         read_items(
             element, [](std::size_t, const Ply_property&, std::size_t, double) {}, [](std::size_t) {});
       }
-    }
-    if (m_contents == skeleton_content && has_faces && !has_edges) {
-      fail_without_lines(m_filename);
     }
     check_corners(m_shape, m_filename);
     return std::move(m_shape);

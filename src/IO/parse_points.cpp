@@ -304,34 +304,25 @@ Shape_file parse_pcd(std::string_view content, const std::string& filename, unsi
       }
     }
   };
-  if (header.encoding == "ascii") {
-    for (std::size_t point = 0; point < header.number_of_points; ++point) {
-      for (std::size_t f = 0; f < numbers.size(); ++f) {
-        for (std::size_t i = 0; i < header.fields[f].count; ++i) {
-          if (!scanner.skip_blanks()) {
-            scanner.fail_at_end("point " + std::to_string(point) + " of " + std::to_string(header.number_of_points));
-          }
-          numbers[f] = scanner.number();
-        }
-      }
-      add();
-    }
-  } else if (header.encoding == "binary") {
-    if (header.number_of_points > scanner.remaining() / header.size_of_point) {
-      scanner.fail_at_end("all of its " + std::to_string(header.number_of_points) + " points");
-    }
-    Byte_scanner bytes(scanner.rest(), Byte_order::little, filename);
-    for (std::size_t point = 0; point < header.number_of_points; ++point) {
-      for (std::size_t f = 0; f < numbers.size(); ++f) {
-        const Pcd_field& field = header.fields[f];
-        const Number_view all = bytes.numbers(field.type, field.count);
-        numbers[f] = field.count == 1 ? all[0] : 0;
-      }
-      add();
-    }
-  } else {
+  if (header.encoding != "ascii" && header.encoding != "binary") {
     scanner.fail("DATA is neither ascii nor binary",
                  "write the file as DATA binary, as by `pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1`");
+  }
+  const bool is_binary = header.encoding == "binary";
+  if (is_binary && header.number_of_points > scanner.remaining() / header.size_of_point) {
+    scanner.fail_at_end("all of its " + std::to_string(header.number_of_points) + " points");
+  }
+  Byte_scanner bytes(scanner.rest(), Byte_order::little, filename);
+  for (std::size_t point = 0; point < header.number_of_points; ++point) {
+    for (std::size_t f = 0; f < numbers.size(); ++f) {
+      for (std::size_t i = 0; i < header.fields[f].count; ++i) {
+        if (!is_binary && !scanner.skip_blanks()) {
+          scanner.fail_at_end("point " + std::to_string(point) + " of " + std::to_string(header.number_of_points));
+        }
+        numbers[f] = is_binary ? bytes.number(header.fields[f].type) : scanner.number();
+      }
+    }
+    add();
   }
   return shape;
 }

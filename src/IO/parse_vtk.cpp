@@ -79,7 +79,7 @@ public:
       }
       add_cell(kind, cell);
     }
-    m_has_faces = m_has_faces || kind == "polys" || kind == "strips";
+    m_shape.has_polygons = m_shape.has_polygons || kind == "polys" || kind == "strips";
   }
 
   void add_array(const std::string& name, const Numbers& values)
@@ -92,9 +92,6 @@ public:
 
   Shape_file finish()
   {
-    if (m_contents == skeleton_content && m_has_faces && !m_has_lines) {
-      fail_without_lines(m_filename);
-    }
     m_shape.corners.insert(m_shape.corners.end(), m_strip_corners.begin(), m_strip_corners.end());
     for (std::size_t i = 0; i < m_strip_corners.size(); i += 3) {
       m_shape.first_corner.push_back(m_shape.first_corner.back() + 3);
@@ -129,7 +126,6 @@ private:
   void add_cell(const std::string& kind, const std::vector<Index>& cell)
   {
     const bool has_faces = m_contents != skeleton_content;
-    m_has_lines = m_has_lines || kind == "lines";
     if (kind == "polys" && has_faces) {
       m_shape.corners.insert(m_shape.corners.end(), cell.begin(), cell.end());
       m_shape.end_polygon();
@@ -156,8 +152,6 @@ private:
   Shape_file m_shape;
   std::map<std::string, Numbers> m_arrays;
   std::vector<Index> m_strip_corners; ///< of their triangles, which come behind all polygons
-  bool m_has_faces = false;
-  bool m_has_lines = false;
 };
 
 /// Reads XML PolyData, whose arrays may be text, Base64, or bytes appended to the XML, compressed by zlib or not.

@@ -137,6 +137,9 @@ void check_skeleton(Shape_file& shape, const std::string& filename)
   const auto fail = [&filename](const std::string& fault) {
     fail_in_file(filename, fault, "correct or write the file again");
   };
+  if (shape.has_polygons && shape.lines.empty()) {
+    fail_in_file(filename, "the file has faces but no lines: a mesh, not a skeleton", "name a file with lines");
+  }
   if (shape.points.empty()) {
     fail_in_file(filename, "the file has no nodes", "fetch or write it again");
   }

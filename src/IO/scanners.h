@@ -15,14 +15,12 @@
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <locale>
 #include <map>
 #include <ostream>
@@ -108,14 +106,10 @@ auto with_number_type(const Number_type& type, const Use& use)
 template <class Number>
 Number stored_number(const char* bytes, Byte_order order)
 {
-  std::array<char, sizeof(Number)> raw;
-  std::memcpy(raw.data(), bytes, sizeof(Number));
-  if (order != Byte_order::native) {
-    std::reverse(raw.begin(), raw.end());
-  }
-  Number number;
-  std::memcpy(&number, raw.data(), sizeof(Number));
-  return number;
+  using boost::endian::endian_load;
+  const auto* const raw = reinterpret_cast<const unsigned char*>(bytes);
+  return order == Byte_order::little ? endian_load<Number, sizeof(Number), Byte_order::little>(raw)
+                                     : endian_load<Number, sizeof(Number), Byte_order::big>(raw);
 }
 
 /// Numbers of one type in memory, each `stride` bytes behind the one before. Integers beyond 2^53 are rounded.

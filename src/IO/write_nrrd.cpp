@@ -3,6 +3,7 @@
 //
 // The definitions of write_nrrd.h.
 
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
 #include <CSCD/Points/Neighbor_table.h>
@@ -16,24 +17,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
-#include <locale>
 #include <map>
 #include <ostream>
-#include <sstream>
-#include <string>
 #include <vector>
 
 namespace CSCD {
 
 namespace {
 
-/// The header of NRRD for labels of 32 bits that follow raw.
-std::string nrrd_header(const Volume_grid& grid)
+/// Writes the header of NRRD for labels of 32 bits that follow raw.
+void write_nrrd_header(std::ostream& out, const Volume_grid& grid)
 {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(std::numeric_limits<double>::max_digits10);
+  const internal::Exact_format format(out);
   const auto vector = [&out](const Vector3& v) -> std::ostream& {
     return out << '(' << v.x() << ',' << v.y() << ',' << v.z() << ')';
   };
@@ -43,7 +38,6 @@ std::string nrrd_header(const Volume_grid& grid)
   vector(grid.axes[1]) << ' ';
   vector(grid.axes[2]) << "\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: ";
   vector(grid.origin) << "\n\n";
-  return out.str();
 }
 
 void write_nrrd_labels(std::ostream& out, std::vector<std::uint32_t> labels)
@@ -59,7 +53,7 @@ void write_nrrd_labels(std::ostream& out, std::vector<std::uint32_t> labels)
 void write_nrrd(std::ostream& out, const Volume& volume)
 {
   CGAL_precondition(volume.labels.size() == volume.grid.number_of_voxels());
-  out << nrrd_header(volume.grid);
+  write_nrrd_header(out, volume.grid);
   write_nrrd_labels(out, volume.labels);
 }
 
@@ -74,7 +68,7 @@ void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vect
     vertices.emplace_back(surfaces[i].triangles.points);
   }
   const Volume_grid& grid = reader.grid();
-  out << nrrd_header(grid);
+  write_nrrd_header(out, grid);
   std::vector<std::uint32_t> labels;
   for (std::size_t z = 0; z < grid.size[2]; ++z) {
     reader.read_slice(labels);

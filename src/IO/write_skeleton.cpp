@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -55,11 +56,11 @@ int swc_type(std::size_t degree)
 }
 
 /// The thickest node if it is thick enough.
-Index find_soma(const Skeleton_content& skeleton, double min_radius)
+Index find_soma(const Skeleton_content& skeleton, const std::optional<double>& min_radius)
 {
   const auto thickest = std::max_element(skeleton.radii.begin(), skeleton.radii.end());
-  return thickest != skeleton.radii.end() && *thickest >= min_radius ? Index(thickest - skeleton.radii.begin())
-                                                                     : no_index;
+  const bool is_found = min_radius && thickest != skeleton.radii.end() && *thickest >= *min_radius;
+  return is_found ? Index(thickest - skeleton.radii.begin()) : no_index;
 }
 
 /// Writes an array of a PolyData, a line for each of `values` as `write(value)` has it.

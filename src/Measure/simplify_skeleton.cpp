@@ -66,45 +66,46 @@ class Skeleton_simplification
 {
 public:
   /// \param solid the body, which is referred to, or null
-  Skeleton_simplification(Skeleton&& skeleton, const Triangulated_solid* solid) : m_solid(solid)
+  Skeleton_simplification(Skeleton skeleton, const Triangulated_solid* solid)
+      : m_skeleton(std::move(skeleton)), m_solid(solid)
   {
-    m_result.skeleton = std::move(skeleton);
-    m_result.skeleton.is_joined.resize(m_result.skeleton.edges.size(), 0);
-    m_result.skeleton.is_opening.resize(m_result.skeleton.number_of_nodes(), 0);
-    m_result.skeleton.vertices.resize(m_result.skeleton.number_of_nodes());
+    m_skeleton.is_joined.resize(m_skeleton.edges.size(), 0);
+    m_skeleton.is_opening.resize(m_skeleton.number_of_nodes(), 0);
+    m_skeleton.vertices.resize(m_skeleton.number_of_nodes());
   }
 
   /// Removes components of less than `least` vertices, except the largest.
-  void remove_small_components(std::size_t least, const std::vector<std::size_t>& number_of_vertices)
+  void remove_small_components(std::size_t least)
   {
+    const std::vector<std::vector<Index>>& vertices = m_skeleton.vertices;
     const bool has_vertices =
-        std::any_of(number_of_vertices.begin(), number_of_vertices.end(), [](std::size_t n) { return n > 0; });
+        std::any_of(vertices.begin(), vertices.end(), [](const std::vector<Index>& its) { return !its.empty(); });
     const std::vector<Index> component = components();
     std::vector<std::size_t> size(component.size(), 0);
     for (Index v = 0; v < component.size(); ++v) {
-      size[component[v]] += has_vertices ? number_of_vertices[v] : 1;
+      size[component[v]] += has_vertices ? vertices[v].size() : 1;
     }
     const std::size_t largest = size.empty() ? 0 : *std::max_element(size.begin(), size.end());
     std::vector<Index> heir = numbers();
     for (Index v = 0; v < heir.size(); ++v) {
       if (size[component[v]] < std::min(least, largest)) {
         heir[v] = no_index;
-        m_result.report.number_of_removed_components += component[v] == v ? 1 : 0;
-        m_result.report.number_of_removed_vertices += number_of_vertices[v];
+        m_report.number_of_removed_components += component[v] == v ? 1 : 0;
+        m_report.number_of_removed_vertices += vertices[v].size();
       }
     }
-    keep(heir, std::vector<char>(skeleton().edges.size(), 1));
+    keep(heir, std::vector<char>(m_skeleton.edges.size(), 1));
   }
 
   /// Cuts limbs whose measure is below `threshold`. Their vertices go to the nodes where they are cut.
   void prune(Branch_measure measure, double threshold)
   {
-    const Branch_hierarchy limbs(skeleton(), measure);
-    std::vector<char> is_kept(skeleton().edges.size());
-    std::vector<char> is_node_kept(skeleton().number_of_nodes(), 1);
+    const Branch_hierarchy limbs(m_skeleton, measure);
+    std::vector<char> is_kept(m_skeleton.edges.size());
+    std::vector<char> is_node_kept(m_skeleton.number_of_nodes(), 1);
     Disjoint_sets cut_off(is_node_kept.size()); // together with the only node that all of it was cut from
     for (std::size_t e = 0; e < is_kept.size(); ++e) {
-      const auto& [a, b] = skeleton().edges[e];
+      const auto& [a, b] = m_skeleton.edges[e];
       is_kept[e] = limbs.levels()[e] >= threshold || limbs.is_last(Index(e)) ? 1 : 0;
       if (is_kept[e] == 0) {
         is_node_kept[a] = is_node_kept[b] = 0;
@@ -113,7 +114,7 @@ public:
     }
     for (std::size_t e = 0; e < is_kept.size(); ++e) {
       if (is_kept[e] != 0) {
-        is_node_kept[skeleton().edges[e][0]] = is_node_kept[skeleton().edges[e][1]] = 1;
+        is_node_kept[m_skeleton.edges[e][0]] = is_node_kept[m_skeleton.edges[e][1]] = 1;
       }
     }
     std::vector<Index> kept_node(is_node_kept.size(), no_index);
@@ -126,9 +127,9 @@ public:
     for (Index& v : heir) {
       v = is_node_kept[v] != 0 ? v : kept_node[cut_off.find(v)];
     }
-    const std::size_t before = skeleton().number_of_nodes();
+    const std::size_t before = m_skeleton.number_of_nodes();
     keep(heir, is_kept);
-    m_result.report.number_of_removed_nodes += before - skeleton().number_of_nodes();
+    m_report.number_of_removed_nodes += before - m_skeleton.number_of_nodes();
   }
 
   /// Joins components by straight edges, those of the minimum spanning tree of the components, by Prim's algorithm from
@@ -154,8 +155,8 @@ public:
       const Index joined = *next;
       open.erase(next);
       if (best[joined].from != no_index) {
-        add_edge(m_result.skeleton, best[joined].from, best[joined].to, 1);
-        ++m_result.report.number_of_joined_edges;
+        add_edge(m_skeleton, best[joined].from, best[joined].to, 1);
+        ++m_report.number_of_joined_edges;
       }
       for (const Index c : open) {
         number_of_pairs += double(members[joined].size()) * double(members[c].size());
@@ -182,16 +183,16 @@ public:
   /// \throw Input_error if there would be too many nodes
   void resample(double spacing, bool is_relative)
   {
-    std::vector<char> is_fixed(skeleton().number_of_nodes(), 0);
+    std::vector<char> is_fixed(m_skeleton.number_of_nodes(), 0);
     const std::vector<Branch> branches = branches_between_fixed(is_fixed);
     Skeleton next;
     std::vector<Index> heir = numbers();
     for (Index& v : heir) {
       v = is_fixed[v] != 0 ? copy_node(next, v) : no_index;
     }
-    for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
-      if (skeleton().is_joined[e] != 0) {
-        add_edge(next, heir[skeleton().edges[e][0]], heir[skeleton().edges[e][1]], 1);
+    for (std::size_t e = 0; e < m_skeleton.edges.size(); ++e) {
+      if (m_skeleton.is_joined[e] != 0) {
+        add_edge(next, heir[m_skeleton.edges[e][0]], heir[m_skeleton.edges[e][1]], 1);
       }
     }
     const auto ends_of = [](const Branch& branch) {
@@ -223,15 +224,19 @@ public:
     replace(std::move(next), heir);
   }
 
-  Simplified_skeleton release()
+  /// Moves the result to `skeleton`. \return the changes
+  Simplification_report move_to(Skeleton& skeleton)
   {
-    static_cast<Skeleton_counts&>(m_result.report) = count_skeleton(skeleton());
-    const Neighbors neighbors = node_neighbors(skeleton());
+    static_cast<Skeleton_counts&>(m_report) = count_skeleton(m_skeleton);
+    const Neighbors neighbors = node_neighbors(m_skeleton);
     for (Index v = 0; v < neighbors.size(); ++v) {
-      char& is_opening = m_result.skeleton.is_opening[v];
+      char& is_opening = m_skeleton.is_opening[v];
       is_opening = is_opening != 0 && neighbors[v].size() < 2 ? 1 : 0; // a joined end is not an end
     }
-    return std::move(m_result);
+    m_skeleton.significance = significance_levels(m_skeleton);
+    m_skeleton.separators = std::move(skeleton.separators);
+    skeleton = std::move(m_skeleton);
+    return m_report;
   }
 
 private:
@@ -240,9 +245,8 @@ private:
   /// Radii count at least this much of the mean radius of their branch, since no spacing follows a radius of 0.
   static constexpr double min_relative_radius = 0.05;
 
-  const Skeleton& skeleton() const { return m_result.skeleton; }
-  const Vector3& point(Index v) const { return skeleton().points[v]; }
-  double radius(Index v) const { return skeleton().has_radii() ? skeleton().radii[v] : 0; }
+  const Vector3& point(Index v) const { return m_skeleton.points[v]; }
+  double radius(Index v) const { return m_skeleton.has_radii() ? m_skeleton.radii[v] : 0; }
 
   /// Whether a straight edge lies inside; always, if the body is not known.
   bool is_inside(const Vector3& from, const Vector3& to) const
@@ -259,7 +263,7 @@ private:
 
   std::vector<Index> numbers() const
   {
-    std::vector<Index> result(skeleton().number_of_nodes());
+    std::vector<Index> result(m_skeleton.number_of_nodes());
     std::iota(result.begin(), result.end(), Index(0));
     return result;
   }
@@ -267,8 +271,8 @@ private:
   /// For each node one of its component, always the same.
   std::vector<Index> components() const
   {
-    Disjoint_sets sets(skeleton().number_of_nodes());
-    for (const auto& [a, b] : skeleton().edges) {
+    Disjoint_sets sets(m_skeleton.number_of_nodes());
+    for (const auto& [a, b] : m_skeleton.edges) {
       sets.join(a, b);
     }
     std::vector<Index> result = numbers();
@@ -279,25 +283,25 @@ private:
   Index add_node(Skeleton& to, const Branch_point& place, char is_opening) const
   {
     to.points.push_back(place.point);
-    if (skeleton().has_radii()) {
+    if (m_skeleton.has_radii()) {
       to.radii.push_back(place.radius);
     }
     to.is_opening.push_back(is_opening);
     to.vertices.emplace_back();
     return Index(to.number_of_nodes() - 1);
   }
-  Index copy_node(Skeleton& to, Index v) const { return add_node(to, {point(v), radius(v)}, skeleton().is_opening[v]); }
+  Index copy_node(Skeleton& to, Index v) const { return add_node(to, {point(v), radius(v)}, m_skeleton.is_opening[v]); }
 
   /// \param heir of each node, the node of `next` that its vertices go to, or `no_index`
   void replace(Skeleton&& next, const std::vector<Index>& heir)
   {
     for (Index v = 0; v < heir.size(); ++v) {
       if (heir[v] != no_index) {
-        const std::vector<Index>& vertices = skeleton().vertices[v];
+        const std::vector<Index>& vertices = m_skeleton.vertices[v];
         next.vertices[heir[v]].insert(next.vertices[heir[v]].end(), vertices.begin(), vertices.end());
       }
     }
-    m_result.skeleton = std::move(next);
+    m_skeleton = std::move(next);
   }
 
   /// Keeps the nodes that are their own heirs, and the edges of `is_kept` between such.
@@ -310,9 +314,9 @@ private:
       number[v] = heir[v] == v ? copy_node(next, v) : no_index;
     }
     for (std::size_t e = 0; e < is_kept.size(); ++e) {
-      const auto& [a, b] = skeleton().edges[e];
+      const auto& [a, b] = m_skeleton.edges[e];
       if (is_kept[e] != 0 && number[a] != no_index && number[b] != no_index) {
-        add_edge(next, number[a], number[b], skeleton().is_joined[e]);
+        add_edge(next, number[a], number[b], m_skeleton.is_joined[e]);
       }
     }
     for (Index& v : heir) {
@@ -341,7 +345,7 @@ private:
   /// that have none.
   std::vector<char> ends_of_components(const std::vector<Index>& component) const
   {
-    const Neighbors neighbors = node_neighbors(skeleton());
+    const Neighbors neighbors = node_neighbors(m_skeleton);
     std::vector<char> has_tip(component.size(), 0);
     for (Index v = 0; v < component.size(); ++v) {
       has_tip[component[v]] = has_tip[component[v]] != 0 || neighbors[v].size() < 2 ? 1 : 0;
@@ -357,10 +361,10 @@ private:
   /// \param is_fixed is set for the ends of all branches
   std::vector<Branch> branches_between_fixed(std::vector<char>& is_fixed) const
   {
-    Skeleton without_joints{skeleton().points};
-    for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
-      const auto& [a, b] = skeleton().edges[e];
-      if (skeleton().is_joined[e] != 0) {
+    Skeleton without_joints{m_skeleton.points};
+    for (std::size_t e = 0; e < m_skeleton.edges.size(); ++e) {
+      const auto& [a, b] = m_skeleton.edges[e];
+      if (m_skeleton.is_joined[e] != 0) {
         is_fixed[a] = is_fixed[b] = 1;
       } else {
         without_joints.edges.push_back({a, b});
@@ -391,7 +395,7 @@ private:
     for (std::size_t i = 1; i < branch.size(); ++i) {
       const double local = std::max((radius(branch[i - 1]) + radius(branch[i])) / 2, min_relative_radius * mean_radius);
       const double unit = is_relative ? spacing * local : spacing;
-      result.push_back(result.back() + (unit > 0 ? skeleton().length({branch[i - 1], branch[i]}) / unit : 0));
+      result.push_back(result.back() + (unit > 0 ? m_skeleton.length({branch[i - 1], branch[i]}) / unit : 0));
     }
     return result;
   }
@@ -448,7 +452,8 @@ private:
     }
   }
 
-  Simplified_skeleton m_result;
+  Skeleton m_skeleton;
+  Simplification_report m_report;
   const Triangulated_solid* m_solid;
 };
 
@@ -485,13 +490,13 @@ void check_simplification(const Skeleton& skeleton, const Simplification_paramet
 
 } // namespace
 
-Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
-                                      const Simplification_parameters& parameters, const Triangulated_solid* solid)
+Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification_parameters& parameters,
+                                        const Triangulated_solid* solid)
 {
   check_simplification(skeleton, parameters);
-  Skeleton_simplification simplification(std::move(skeleton), solid);
+  Skeleton_simplification simplification(skeleton, solid);
   if (parameters.min_component_size > 0) {
-    simplification.remove_small_components(parameters.min_component_size, number_of_vertices);
+    simplification.remove_small_components(parameters.min_component_size);
   }
   for (const auto& [measure, threshold] :
        {std::pair(Branch_measure::significance, parameters.min_significance),
@@ -508,20 +513,7 @@ Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std
     simplification.resample(std::max(parameters.spacing, parameters.spacing_over_radius),
                             parameters.spacing_over_radius > 0);
   }
-  return simplification.release();
-}
-
-Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification_parameters& parameters,
-                                        const Triangulated_solid* solid)
-{
-  std::vector<std::size_t> number_of_vertices(skeleton.number_of_nodes(), 0);
-  std::transform(skeleton.vertices.begin(), skeleton.vertices.end(), number_of_vertices.begin(),
-                 [](const std::vector<Index>& its) { return its.size(); });
-  Simplified_skeleton simplified = simplify_skeleton(Skeleton(skeleton), number_of_vertices, parameters, solid);
-  simplified.skeleton.significance = significance_levels(simplified.skeleton);
-  simplified.skeleton.separators = std::move(skeleton.separators);
-  skeleton = std::move(simplified.skeleton);
-  return simplified.report;
+  return simplification.move_to(skeleton);
 }
 
 } // namespace CSCD::internal

@@ -9,7 +9,6 @@
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/Vector3.h>
 
-#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -24,8 +23,8 @@ struct Swc_options
   /// 7 custom. By default forks are 5, ends 6 and others 0, which some readers of neurons refuse.
   std::optional<int> type{};
   /// The thickest node is the soma, of type 1, if its radius is at least this, in the unit of the skeleton. It is the
-  /// root of its component then.
-  double min_soma_radius = std::numeric_limits<double>::infinity();
+  /// root of its component then. Without a value, the skeleton has no soma.
+  std::optional<double> min_soma_radius{};
   /// The factor of coordinates and radii, such as 0.001 from nanometers to micrometers.
   double scale = 1;
   /// Nodes, counted from 0; of a component without any the first one is the root. See `find_roots()`.

@@ -46,19 +46,9 @@ struct Simplification_parameters
   double spacing_over_radius = 0;
 };
 
-/// A simplified skeleton, with the vertices of the input and openings, but without significances.
-struct Simplified_skeleton
-{
-  Skeleton skeleton;
-  Simplification_report report;
-};
-
-/// \param number_of_vertices of the input, that belong to each node
-/// \param solid the body, or null if it is not known
-Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
-                                      const Simplification_parameters& parameters, const Triangulated_solid* solid);
-
 /// Simplifies a plain skeleton, with the vertices of the input, openings and significances. Its separators stay.
+/// \param skeleton as it was if the function throws
+/// \param solid the body, or null if it is not known
 Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification_parameters& parameters,
                                         const Triangulated_solid* solid);
 
