@@ -164,6 +164,6 @@ TEST_P(Real_mesh_invariance, under_moves_turns_scalings_and_renumbering)
 INSTANTIATE_TEST_SUITE_P(Cgal, Real_mesh_invariance,
                          testing::Values("anchor", "bear", "bull", "cheese", "cow", "elephant", "fandisk", "femur",
                                          "hand", "homer", "joint", "pig", "spool"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& mesh) { return std::string(mesh.param); });
 
 } // namespace
