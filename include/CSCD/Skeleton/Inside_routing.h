@@ -8,6 +8,7 @@
 
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
@@ -208,22 +209,17 @@ public:
   {
   }
 
-  /// Moves `node` to the middle of the body nearby if it is outside; a junction, such as the one between a handle and
+  /// Moves nodes that are outside to the middle of the body nearby; a junction, such as the one between a handle and
   /// the wall of a cup, to the middle of its neighbors or of the body behind them.
-  void bring_inside(Index node)
-  {
-    if (is_outside(node)) {
-      const Vector3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
-      const std::optional<Vector3> place =
-          m_graph.is_junction(node) && m_surface.is_inside(start) ? start : middle_behind(start, node);
-      m_graph[node].position = place.value_or(m_graph[node].position);
-    }
-  }
-  /// Moves all nodes.
   void bring_inside()
   {
     for (Index node = 0; node < m_graph.size(); ++node) {
-      bring_inside(node);
+      if (is_outside(node)) {
+        const Vector3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
+        const std::optional<Vector3> place =
+            m_graph.is_junction(node) && m_surface.is_inside(start) ? start : middle_behind(start, node);
+        m_graph[node].position = place.value_or(m_graph[node].position);
+      }
     }
   }
 
@@ -253,24 +249,19 @@ public:
     return m_graph[a].is_opening || m_graph[b].is_opening || is_free(m_graph[first].position, m_graph[second].position);
   }
 
-  /// How many nodes and edges are not wholly inside.
-  struct Outside
+  /// Writes to `report` how many nodes and edges are not wholly inside.
+  void count_outside(Skeletonization_report& report)
   {
-    std::size_t number_of_nodes = 0;
-    std::size_t number_of_edges = 0;
-  };
-  Outside count_outside()
-  {
-    Outside result;
+    report.number_of_nodes_outside = 0;
+    report.number_of_edges_outside = 0;
     std::vector<char> is_node_outside(m_graph.size());
     for (Index node = 0; node < m_graph.size(); ++node) {
       is_node_outside[node] = is_outside(node) ? 1 : 0;
-      result.number_of_nodes += is_node_outside[node] != 0 ? 1 : 0;
+      report.number_of_nodes_outside += is_node_outside[node] != 0 ? 1 : 0;
     }
-    m_graph.for_each_edge([&](Index a, Index b) {
-      result.number_of_edges += first_stretch_outside(a, b, is_node_outside[a] != 0) ? 1 : 0;
-    });
-    return result;
+    for (const auto& [a, b] : m_graph.edges()) {
+      report.number_of_edges_outside += first_stretch_outside(a, b, is_node_outside[a] != 0) ? 1 : 0;
+    }
   }
 
 private:

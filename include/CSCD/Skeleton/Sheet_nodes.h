@@ -38,20 +38,19 @@ inline Vector3 point_along(const std::vector<Vector3>& points, std::size_t first
   }
 }
 
-/// The middle of the open curve that the closed one of `crossings` follows on both sides of a sheet: between the points
-/// halfway along the longest part on each side. Nothing where it stays on one. Linear.
-/// \param side_of_sheet as for `sides_of_sheet()`
-template <class Sides>
-std::optional<Vector3> middle_of_open_curve(const Triangulated_surface& surface, const Sides& side_of_sheet,
-                                            const std::vector<Edge_crossing>& crossings)
+/// The middle of the open curve that the closed one of `crossings` on `level` follows on both sides of a sheet: between
+/// the points halfway along the longest part on each side. Nothing where it stays on one. Linear.
+inline std::optional<Vector3> middle_of_open_curve(const Triangulated_solid& solid, const Surface_level& level,
+                                                   const std::vector<Edge_crossing>& crossings)
 {
   constexpr unsigned both_sides = 3;
   std::vector<Vector3> points;
-  crossing_points(surface, crossings, points);
+  crossing_points(level.surface, crossings, points);
+  const auto side_of_sheet = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
   std::vector<unsigned> sides;
   sides.reserve(crossings.size());
   for (const Edge_crossing& crossing : crossings) {
-    sides.push_back(sides_of_sheet(surface, side_of_sheet, {crossing}));
+    sides.push_back(sides_of_sheet(level.surface, side_of_sheet, {crossing}));
   }
   const std::size_t n = points.size();
   const auto start = std::size_t(std::find(sides.begin(), sides.end(), both_sides) - sides.begin());
@@ -100,9 +99,7 @@ public:
     if (!is_cut || m_section.length() < min_length * expected_length) {
       return std::nullopt;
     }
-    const Surface_level& level = m_solid.query_level();
-    const auto side = [this, &level](Index vertex) { return m_solid.side_of_sheet(level.to_finest(vertex)); };
-    return middle_of_open_curve(level.surface, side, m_section.crossings());
+    return middle_of_open_curve(m_solid, m_solid.query_level(), m_section.crossings());
   }
 
   /// Half of the width of the sheet along the last section.
@@ -130,13 +127,11 @@ private:
 /// Moves `node`, of `separator`, to the middle of that if it is open, with half of the width of the sheet as radius.
 inline void place_on_sheet(const Triangulated_solid& solid, const Separator& separator, Skeleton_builder::Node& node)
 {
-  const Triangulated_surface& surface = solid.triangulation();
-  if (solid.side_of_sheet(surface.origin(separator.crossings.front().halfedge)) == 0) {
+  if (solid.side_of_sheet(solid.triangulation().origin(separator.crossings.front().halfedge)) == 0) {
     return;
   }
   node.is_on_sheet = true;
-  const auto side = [&solid](Index vertex) { return solid.side_of_sheet(vertex); };
-  if (const auto middle = middle_of_open_curve(surface, side, separator.crossings)) {
+  if (const auto middle = middle_of_open_curve(solid, solid.levels().finest(), separator.crossings)) {
     node.position = *middle;
     node.radius = separator.length / 4;
   }
