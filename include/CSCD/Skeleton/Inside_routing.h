@@ -227,10 +227,9 @@ public:
   /// others.
   void route_edges(bool is_on_sheets = false)
   {
-    std::optional<Way_inside> way;
     for (const auto& [a, b] : m_graph.edges()) {
       if (is_on_sheets == (m_graph[a].is_on_sheet || m_graph[b].is_on_sheet)) {
-        route(a, b, way);
+        route(a, b);
       }
     }
   }
@@ -314,43 +313,41 @@ private:
 
   /// Leads the edge from `a` to `b` along the surface where it leaves the body or, where that fails, over the middle of
   /// the body behind its first stretch outside.
-  void route(Index a, Index b, std::optional<Way_inside>& way, int level = 0)
+  void route(Index a, Index b, int level = 0)
   {
     if (is_free(a, b)) {
       return;
     }
     const std::optional<Vector3> stretch = first_stretch_outside(a, b, is_outside(a));
-    if (!stretch || follow_surface(a, b, way) || level == max_bends) {
+    if (!stretch || follow_surface(a, b) || level == max_bends) {
       return;
     }
     if (const std::optional<Vector3> middle = middle_behind(*stretch, a)) {
       const Index node = m_graph.split_edge(a, b, *middle, mean_radius(a, b));
-      route(a, node, way, level + 1);
-      route(node, b, way, level + 1);
+      route(a, node, level + 1);
+      route(node, b, level + 1);
     }
   }
 
   /// Leads the edge along the surface, if there is a free way.
-  bool follow_surface(Index a, Index b, std::optional<Way_inside>& way)
+  bool follow_surface([[maybe_unused]] Index a, [[maybe_unused]] Index b)
   {
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
       if (m_graph[a].is_on_sheet || m_graph[b].is_on_sheet || is_outside(a) || is_outside(b)) {
         return false;
       }
-      if (!way) {
-        way.emplace(m_surface);
+      if (!m_way) {
+        m_way.emplace(m_surface);
       }
-      const std::vector<Vector3> points = way->find(m_graph[a].position, m_graph[b].position);
-      if (points.empty()) {
-        return false;
-      }
+      const std::vector<Vector3> points = m_way->find(m_graph[a].position, m_graph[b].position);
       const double radius = mean_radius(a, b);
       for (const Vector3& point : points) {
         a = m_graph.split_edge(a, b, point, radius);
       }
-      return true;
+      return !points.empty();
+    } else {
+      return false;
     }
-    return false;
   }
 
   double mean_radius(Index a, Index b) const { return (m_graph[a].radius + m_graph[b].radius) / 2; }
@@ -358,7 +355,8 @@ private:
   const Surface& m_surface;
   Skeleton_builder& m_graph;
   double m_offset;
-  std::vector<double> m_crossings;
+  std::optional<Way_inside> m_way; ///< none until an edge needs it
+  std::vector<double> m_crossings; ///< working memory
 };
 
 } // namespace CSCD::internal

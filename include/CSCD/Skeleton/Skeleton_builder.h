@@ -20,6 +20,17 @@
 
 namespace CSCD {
 
+namespace internal {
+
+/// A ball in the body, or a disc across a branch.
+struct Ball
+{
+  Vector3 center = Vector3::Zero();
+  double radius = 0;
+};
+
+} // namespace internal
+
 /// Nodes and edges that can be inserted, merged and removed, in the normalized frame of the traits object.
 /// Parallel edges and loops may occur in between.
 class Skeleton_builder

@@ -49,13 +49,6 @@ inline void merge_junctions(Skeleton_builder& graph)
   }
 }
 
-/// A ball in the body.
-struct Ball
-{
-  Vector3 center = Vector3::Zero();
-  double radius = 0;
-};
-
 /// Grows an inscribed ball from `start`: steps away from the nearest bounding point as long as the ball gets larger,
 /// for at most `max_shift` in all.
 /// \param rim points of the borders if the ball is to be in a sheet; empty in a body
