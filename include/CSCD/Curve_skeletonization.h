@@ -240,7 +240,9 @@ private:
         result[vertex[skeleton.node_of_vertex[v]]].vertices.push_back(descriptor);
       }
     }
-    builder.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
+    for (const auto& [a, b] : builder.edges()) {
+      add_edge(vertex[a], vertex[b], result);
+    }
     compute_significance(result);
     m_report.warnings = m_input_report.warnings;
     describe_skeleton(builder, m_report);

@@ -118,23 +118,12 @@ namespace CSCD {
 
 namespace internal {
 
-/// Whether the chain `*np` holds the parameter `Sought`.
-template <class Sought, class T, class Tag, class Base>
-constexpr bool has_named_parameter(const CGAL::internal_np::Named_params_impl<T, Tag, Base>* /* np */)
-{
-  if constexpr (std::is_same_v<Tag, Sought> || std::is_same_v<Base, CGAL::internal_np::No_property>) {
-    return std::is_same_v<Tag, Sought>;
-  } else {
-    return has_named_parameter<Sought>(static_cast<const typename Base::base*>(nullptr));
-  }
-}
-
 /// Puts the parameters of the chain `front` in front of `chain`.
 template <class T, class Tag, class Base, class Chain>
 auto prepend_named_parameters(const CGAL::internal_np::Named_params_impl<T, Tag, Base>& front, const Chain& chain)
 {
   static_assert(std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
-                    !has_named_parameter<Tag>(static_cast<const typename Chain::base*>(nullptr)),
+                    CGAL::parameters::is_default_parameter<Chain, Tag>::value,
                 "CSCD: the same named parameter is given by two of the combined chains");
   const T& value = front.v;
   if constexpr (std::is_same_v<Base, CGAL::internal_np::No_property>) {

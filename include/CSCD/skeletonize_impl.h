@@ -40,7 +40,7 @@ inline Skeleton to_input(const Embedded_skeleton& embedded, const Triangulated_s
     result.radii.push_back(embedded.radius[node] * normalization.unit);
     result.is_opening.push_back(builder[node].is_opening ? 1 : 0);
   }
-  builder.for_each_edge([&result](Index a, Index b) { result.edges.push_back({a, b}); });
+  result.edges = builder.edges();
   result.is_joined.assign(result.edges.size(), 0);
   result.significance = significance_levels(result);
   result.vertices.resize(builder.size());

@@ -27,7 +27,6 @@ using CSCD::Index;
 using CSCD::Separator;
 using CSCD::Skeleton_builder;
 using CSCD::Vector3;
-using CSCD::internal::Vertex_assignment;
 using CSCD::test::Shape_solid;
 
 /// A shape cut across at some points of the x axis.
@@ -83,17 +82,18 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
   CSCD::Skeletonization_report report;
   const CSCD::Embedded_skeleton skeleton =
       CSCD::internal::embed_skeleton(*solid, separators, packing.packed(), packing.cut_graph(), 0, report);
-  const Vertex_assignment assignment(solid.surface(), packing.cut_graph(), skeleton.graph);
+  const auto nodes_of_piece = CSCD::internal::nodes_of_pieces(packing.cut_graph(), skeleton.graph);
   for (Index vertex = 0; vertex < solid.surface().number_of_vertices(); ++vertex) {
-    const std::vector<Index>& nodes = assignment.nodes(packing.cut_graph().piece_of_vertex(vertex));
+    const std::vector<Index>& nodes = nodes_of_piece[packing.cut_graph().piece_of_vertex(vertex)];
     const Vector3& point = solid.surface().point(vertex);
-    const double distance = (skeleton.graph[assignment.node(vertex)].position - point).norm();
-    ASSERT_TRUE(std::binary_search(nodes.begin(), nodes.end(), assignment.node(vertex)));
+    const Index own = skeleton.node_of_vertex[vertex];
+    const double distance = (skeleton.graph[own].position - point).norm();
+    ASSERT_TRUE(std::binary_search(nodes.begin(), nodes.end(), own));
     for (Index node : nodes) {
       ASSERT_LE(distance, (skeleton.graph[node].position - point).norm() + 1e-12);
     }
     const Vector3 place = solid.to_shape(point);
-    const Vector3 node_place = solid.to_shape(skeleton.graph[assignment.node(vertex)].position);
+    const Vector3 node_place = solid.to_shape(skeleton.graph[own].position);
     ASSERT_GT(Vector3(place.x(), place.y(), 0).normalized().dot(node_place.normalized()), 0.5) << "on the same side";
   }
 }

@@ -173,9 +173,7 @@ void finish_skeleton(const Surface& surface, const Separator_regions& /* regions
   routing.route_edges();
   routing.route_edges(true);
   builder.compact();
-  const auto outside = routing.count_outside();
-  report.number_of_nodes_outside = outside.number_of_nodes;
-  report.number_of_edges_outside = outside.number_of_edges;
+  routing.count_outside(report);
 }
 /// Builds the skeleton whose nodes are the regions of the packed separators: at their centroids by area (Alg. 2, lines
 /// 13 and 14), joined where regions touch.

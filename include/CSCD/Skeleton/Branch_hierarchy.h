@@ -15,8 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <set>
-#include <tuple>
+#include <queue>
 #include <vector>
 
 namespace CSCD {
@@ -51,26 +50,22 @@ public:
   const std::vector<Index>& edges() const { return m_edges; }
   double length() const { return m_length.back(); }
 
-  /// The measure of the limb, which stands on the ball of its last node.
-  double measure(const Skeleton& skeleton, Branch_measure measure) const
+  /// The measure of the limb, which stands on the ball of its last node or, if it `ends_in_tip`, on that of its mean
+  /// radius.
+  double measure(const Skeleton& skeleton, Branch_measure measure, bool ends_in_tip) const
   {
-    if (measure != Branch_measure::significance) {
-      return measure == Branch_measure::length ? length() : ratio(length(), mean_radius(length(), skeleton));
+    if (measure == Branch_measure::length) {
+      return length();
     }
-    const double radius_of_body = radius(skeleton, end());
-    const double reach = length() + radius(skeleton, tip()) - radius_of_body;
-    return ratio(std::max(reach, 0.), mean_radius(length() - radius_of_body, skeleton));
-  }
-
-  /// The measure of the limb if it ends in a second tip: it stands on the ball of its mean radius.
-  double measure_between_tips(const Skeleton& skeleton, Branch_measure measure) const
-  {
     const double mean = mean_radius(length(), skeleton);
-    if (measure != Branch_measure::significance) {
-      return measure == Branch_measure::length ? length() : ratio(length(), mean);
+    if (measure == Branch_measure::length_over_radius) {
+      return ratio(length(), mean);
     }
-    const double reach = (length() + radius(skeleton, tip()) + radius(skeleton, end())) / 2 - mean;
-    return ratio(std::max(reach, 0.), mean);
+    const double tip_radius = radius(skeleton, tip());
+    const double end_radius = radius(skeleton, end());
+    return ends_in_tip
+               ? ratio(std::max((length() + tip_radius + end_radius) / 2 - mean, 0.), mean)
+               : ratio(std::max(length() + tip_radius - end_radius, 0.), mean_radius(length() - end_radius, skeleton));
   }
 
 private:
@@ -131,7 +126,11 @@ public:
       }
     }
     while (!m_queue.empty()) {
-      cut_least();
+      const Candidate least = m_queue.top();
+      m_queue.pop();
+      if (is_current(least)) {
+        cut(least);
+      }
     }
   }
 
@@ -144,15 +143,34 @@ public:
   bool is_last(Index edge) const { return m_is_last[edge] != 0; }
 
 private:
-  using Key = std::tuple<double, double, double, double, double, Index>;
-
-  Key key(Index limb, double level) const
+  /// A limb that may be cut.
+  struct Candidate
   {
-    const Vector3& tip = m_skeleton.points[m_limbs[limb].tip()];
-    return {level, m_limbs[limb].length(), tip.x(), tip.y(), tip.z(), limb};
+    double level;
+    double length;
+    Vector3 tip; ///< its position
+    Index limb;
+    Index end; ///< the last node of the limb
+
+    /// Whether this one is cut later than `other`.
+    bool operator<(const Candidate& other) const
+    {
+      return level != other.level     ? level > other.level
+             : length != other.length ? length > other.length
+             : tip != other.tip       ? is_lexicographically_less(other.tip, tip)
+                                      : limb > other.limb;
+    }
+  };
+
+  /// Whether the limb has neither been cut nor grown since.
+  bool is_current(const Candidate& candidate) const
+  {
+    const Limb& limb = m_limbs[candidate.limb];
+    const Index edge = limb.edges().front();
+    return limb.end() == candidate.end && m_limb_of_edge[edge] == candidate.limb && m_is_cut[edge] == 0;
   }
 
-  /// Prolongs a limb to the next junction and puts it into the queue; or settles it if it ends in a tip.
+  /// Prolongs a limb to the next junction, where it may be cut; or settles it if it ends in a tip.
   /// \param least a lower bound of its worth
   void grow(Index number, double least)
   {
@@ -162,9 +180,8 @@ private:
       settle(limb, least);
       return;
     }
-    const double level = std::max(limb.measure(m_skeleton, m_measure), least);
-    m_place.resize(m_limbs.size(), m_queue.end());
-    m_place[number] = m_queue.insert(key(number, level)).first;
+    const double level = std::max(limb.measure(m_skeleton, m_measure, false), least);
+    m_queue.push({level, limb.length(), m_skeleton.points[limb.tip()], number, limb.end()});
   }
 
   void follow(Limb& limb, Index number)
@@ -185,57 +202,37 @@ private:
   /// The last path of a component is measured from that of its tips which comes first in space.
   void settle(const Limb& limb, double least)
   {
-    const auto position = [this](Index node) {
-      const Vector3& p = m_skeleton.points[node];
-      return std::make_tuple(p.x(), p.y(), p.z());
-    };
     Limb path = limb;
-    if (position(limb.end()) < position(limb.tip())) {
+    if (is_lexicographically_less(m_skeleton.points[limb.end()], m_skeleton.points[limb.tip()])) {
       path = Limb(limb.end());
       for (auto edge = limb.edges().rbegin(); edge != limb.edges().rend(); ++edge) {
         const auto& [a, b] = m_skeleton.edges[*edge];
         path.append(m_skeleton, *edge, a == path.end() ? b : a);
       }
     }
-    const double level = std::max(path.measure_between_tips(m_skeleton, m_measure), least);
+    const double level = std::max(path.measure(m_skeleton, m_measure, true), least);
     for (const Index edge : path.edges()) {
       m_level[edge] = level;
       m_is_last[edge] = 1;
     }
   }
 
-  void cut_least()
+  void cut(const Candidate& candidate)
   {
-    const double level = std::get<0>(*m_queue.begin());
-    const Limb& limb = m_limbs[std::get<Index>(*m_queue.begin())];
-    m_queue.erase(m_queue.begin());
-    for (const Index edge : limb.edges()) {
-      m_level[edge] = level;
+    for (const Index edge : m_limbs[candidate.limb].edges()) {
+      m_level[edge] = candidate.level;
       m_is_cut[edge] = 1;
     }
-    const Index junction = limb.end();
-    --m_degree[junction];
-    if (m_degree[junction] == 2) {
-      join_branches(junction, level);
-    }
-  }
-
-  /// Where only two branches are left, the limbs among them grow.
-  void join_branches(Index junction, double level)
-  {
-    std::vector<Index> limbs;
-    for (const Index edge : m_incident[junction]) {
-      if (m_is_cut[edge] == 0 && m_limb_of_edge[edge] != no_index) {
-        limbs.push_back(m_limb_of_edge[edge]);
-      }
-    }
-    if (limbs.empty()) {
+    if (--m_degree[candidate.end] != 2) {
       return;
     }
-    for (const Index limb : limbs) {
-      m_queue.erase(m_place[limb]);
+    // Only two branches are left here: a limb among them grows, over the other one.
+    for (const Index edge : m_incident[candidate.end]) {
+      if (m_is_cut[edge] == 0 && m_limb_of_edge[edge] != no_index) {
+        grow(m_limb_of_edge[edge], candidate.level);
+        return;
+      }
     }
-    grow(limbs.front(), level);
   }
 
   const Skeleton& m_skeleton;
@@ -244,8 +241,7 @@ private:
   std::vector<std::size_t> m_degree;          ///< without cut edges
   std::vector<Limb> m_limbs;
   std::vector<Index> m_limb_of_edge;
-  std::set<Key> m_queue;
-  std::vector<std::set<Key>::iterator> m_place; ///< of each limb
+  std::priority_queue<Candidate> m_queue; ///< also holds candidates that are not current
   std::vector<double> m_level;
   std::vector<char> m_is_cut;
   std::vector<char> m_is_last;

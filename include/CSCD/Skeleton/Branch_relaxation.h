@@ -74,7 +74,7 @@ public:
 
   /// The section through `point` perpendicular to `axis`, if it surrounds the point, its centroid is in it, and it is
   /// about as large as expected and compact.
-  std::optional<Section_disc> operator()(const Vector3& point, const Vector3& axis, double radius)
+  std::optional<Ball> operator()(const Vector3& point, const Vector3& axis, double radius)
   {
     const Vector3 aside = axis.cross(m_reference);
     const auto hit = m_solid.first_hit(point, aside.norm() > 0 ? aside.normalized() : axis.unitOrthogonal());
@@ -85,7 +85,7 @@ public:
     const Section_disc disc = section_disc(m_section.points());
     const bool is_compact = m_section.length() * m_section.length() <= max_squared_length * 4 * pi * disc.area;
     return is_compact && disc.radius() <= max_radius * radius && is_in_outline(m_section.points(), disc.center, axis)
-               ? std::optional<Section_disc>(disc)
+               ? std::optional<Ball>({disc.center, disc.radius()})
                : std::nullopt;
   }
 
@@ -119,7 +119,7 @@ public:
     const auto is_chosen = [&](Index node) {
       return m_graph.is_regular(node) && !m_graph[node].is_opening && (!is_on_sheets || m_graph[node].is_on_sheet);
     };
-    std::vector<std::optional<Target>> targets(m_graph.size());
+    std::vector<std::optional<Ball>> targets(m_graph.size());
     for (int sweep = 0; sweep < number_of_sweeps + number_of_smoothings; ++sweep) {
       const bool is_smoothing = sweep >= number_of_sweeps;
       for (Index node = 0; node < m_graph.size(); ++node) {
@@ -154,15 +154,8 @@ private:
   /// How often a step is halved.
   static constexpr int max_halvings = 3;
 
-  /// The middle of the body near a node.
-  struct Target
-  {
-    Vector3 center;
-    double radius;
-  };
-
-  /// The target of the regular `index`, if a section decides it.
-  std::optional<Target> target(Index index)
+  /// The middle of the body near the regular `index`, if a section decides it.
+  std::optional<Ball> target(Index index)
   {
     const Node& node = m_graph[index];
     const Index from = node.neighbors[0];
@@ -171,21 +164,11 @@ private:
     if (!(way.norm() > 0) || turn_cosine(index) < 0 || is_in_junction(index, from) || is_in_junction(index, to)) {
       return std::nullopt;
     }
-    const std::optional<Target> target =
-        node.is_on_sheet ? middle_of_sheet_at(node, way.normalized()) : middle_of_body_at(node, way.normalized());
-    const bool is_near = target && (target->center - node.position).norm() <= max_shift * node.radius;
-    return is_near ? target : std::nullopt;
-  }
-
-  std::optional<Target> middle_of_body_at(const Node& node, const Vector3& axis)
-  {
-    const std::optional<Section_disc> disc = m_body_section(node.position, axis, node.radius);
-    return disc ? std::optional<Target>({disc->center, disc->radius()}) : std::nullopt;
-  }
-  std::optional<Target> middle_of_sheet_at(const Node& node, const Vector3& axis)
-  {
-    const std::optional<Vector3> middle = m_sheet_section(node.position, axis, node.radius);
-    return middle ? std::optional<Target>({*middle, m_sheet_section.half_width()}) : std::nullopt;
+    const Vector3 axis = way.normalized();
+    const std::optional<Ball> middle = node.is_on_sheet ? m_sheet_section(node.position, axis, node.radius)
+                                                        : m_body_section(node.position, axis, node.radius);
+    const bool is_near = middle && (middle->center - node.position).norm() <= max_shift * node.radius;
+    return is_near ? middle : std::nullopt;
   }
 
   /// Whether `node` is in the ball of the junction `neighbor`, where sections lead into other branches.
@@ -223,7 +206,7 @@ private:
   }
 
   /// Moves the regular `index` as far as that is allowed.
-  void move(Index index, const std::optional<Target>& target, bool is_smoothing)
+  void move(Index index, const std::optional<Ball>& target, bool is_smoothing)
   {
     Node& node = m_graph[index];
     const Vector3 start = node.position;

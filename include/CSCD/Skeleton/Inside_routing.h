@@ -8,6 +8,7 @@
 
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
@@ -208,22 +209,17 @@ public:
   {
   }
 
-  /// Moves `node` to the middle of the body nearby if it is outside; a junction, such as the one between a handle and
+  /// Moves nodes that are outside to the middle of the body nearby; a junction, such as the one between a handle and
   /// the wall of a cup, to the middle of its neighbors or of the body behind them.
-  void bring_inside(Index node)
-  {
-    if (is_outside(node)) {
-      const Vector3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
-      const std::optional<Vector3> place =
-          m_graph.is_junction(node) && m_surface.is_inside(start) ? start : middle_behind(start, node);
-      m_graph[node].position = place.value_or(m_graph[node].position);
-    }
-  }
-  /// Moves all nodes.
   void bring_inside()
   {
     for (Index node = 0; node < m_graph.size(); ++node) {
-      bring_inside(node);
+      if (is_outside(node)) {
+        const Vector3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
+        const std::optional<Vector3> place =
+            m_graph.is_junction(node) && m_surface.is_inside(start) ? start : middle_behind(start, node);
+        m_graph[node].position = place.value_or(m_graph[node].position);
+      }
     }
   }
 
@@ -231,10 +227,9 @@ public:
   /// others.
   void route_edges(bool is_on_sheets = false)
   {
-    std::optional<Way_inside> way;
     for (const auto& [a, b] : m_graph.edges()) {
       if (is_on_sheets == (m_graph[a].is_on_sheet || m_graph[b].is_on_sheet)) {
-        route(a, b, way);
+        route(a, b);
       }
     }
   }
@@ -253,24 +248,19 @@ public:
     return m_graph[a].is_opening || m_graph[b].is_opening || is_free(m_graph[first].position, m_graph[second].position);
   }
 
-  /// How many nodes and edges are not wholly inside.
-  struct Outside
+  /// Writes to `report` how many nodes and edges are not wholly inside.
+  void count_outside(Skeletonization_report& report)
   {
-    std::size_t number_of_nodes = 0;
-    std::size_t number_of_edges = 0;
-  };
-  Outside count_outside()
-  {
-    Outside result;
+    report.number_of_nodes_outside = 0;
+    report.number_of_edges_outside = 0;
     std::vector<char> is_node_outside(m_graph.size());
     for (Index node = 0; node < m_graph.size(); ++node) {
       is_node_outside[node] = is_outside(node) ? 1 : 0;
-      result.number_of_nodes += is_node_outside[node] != 0 ? 1 : 0;
+      report.number_of_nodes_outside += is_node_outside[node] != 0 ? 1 : 0;
     }
-    m_graph.for_each_edge([&](Index a, Index b) {
-      result.number_of_edges += first_stretch_outside(a, b, is_node_outside[a] != 0) ? 1 : 0;
-    });
-    return result;
+    for (const auto& [a, b] : m_graph.edges()) {
+      report.number_of_edges_outside += first_stretch_outside(a, b, is_node_outside[a] != 0) ? 1 : 0;
+    }
   }
 
 private:
@@ -323,43 +313,41 @@ private:
 
   /// Leads the edge from `a` to `b` along the surface where it leaves the body or, where that fails, over the middle of
   /// the body behind its first stretch outside.
-  void route(Index a, Index b, std::optional<Way_inside>& way, int level = 0)
+  void route(Index a, Index b, int level = 0)
   {
     if (is_free(a, b)) {
       return;
     }
     const std::optional<Vector3> stretch = first_stretch_outside(a, b, is_outside(a));
-    if (!stretch || follow_surface(a, b, way) || level == max_bends) {
+    if (!stretch || follow_surface(a, b) || level == max_bends) {
       return;
     }
     if (const std::optional<Vector3> middle = middle_behind(*stretch, a)) {
       const Index node = m_graph.split_edge(a, b, *middle, mean_radius(a, b));
-      route(a, node, way, level + 1);
-      route(node, b, way, level + 1);
+      route(a, node, level + 1);
+      route(node, b, level + 1);
     }
   }
 
   /// Leads the edge along the surface, if there is a free way.
-  bool follow_surface(Index a, Index b, std::optional<Way_inside>& way)
+  bool follow_surface([[maybe_unused]] Index a, [[maybe_unused]] Index b)
   {
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
       if (m_graph[a].is_on_sheet || m_graph[b].is_on_sheet || is_outside(a) || is_outside(b)) {
         return false;
       }
-      if (!way) {
-        way.emplace(m_surface);
+      if (!m_way) {
+        m_way.emplace(m_surface);
       }
-      const std::vector<Vector3> points = way->find(m_graph[a].position, m_graph[b].position);
-      if (points.empty()) {
-        return false;
-      }
+      const std::vector<Vector3> points = m_way->find(m_graph[a].position, m_graph[b].position);
       const double radius = mean_radius(a, b);
       for (const Vector3& point : points) {
         a = m_graph.split_edge(a, b, point, radius);
       }
-      return true;
+      return !points.empty();
+    } else {
+      return false;
     }
-    return false;
   }
 
   double mean_radius(Index a, Index b) const { return (m_graph[a].radius + m_graph[b].radius) / 2; }
@@ -367,7 +355,8 @@ private:
   const Surface& m_surface;
   Skeleton_builder& m_graph;
   double m_offset;
-  std::vector<double> m_crossings;
+  std::optional<Way_inside> m_way; ///< none until an edge needs it
+  std::vector<double> m_crossings; ///< working memory
 };
 
 } // namespace CSCD::internal

@@ -48,7 +48,7 @@ inline Bridged_border measure_border(const Triangulated_surface& surface, const 
   border.normal = measures.vector_area.normalized();
   border.length = measures.length;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector3& next = points[i + 1 < points.size() ? i + 1 : 0];
+    const Vector3& next = points[(i + 1) % points.size()];
     const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
     border.radius += (next - points[i]).norm() / border.length * distance;
   }

@@ -38,20 +38,19 @@ inline Vector3 point_along(const std::vector<Vector3>& points, std::size_t first
   }
 }
 
-/// The middle of the open curve that the closed one of `crossings` follows on both sides of a sheet: between the points
-/// halfway along the longest part on each side. Nothing where it stays on one. Linear.
-/// \param side_of_sheet as for `sides_of_sheet()`
-template <class Sides>
-std::optional<Vector3> middle_of_open_curve(const Triangulated_surface& surface, const Sides& side_of_sheet,
-                                            const std::vector<Edge_crossing>& crossings)
+/// The middle of the open curve that the closed one of `crossings` on `level` follows on both sides of a sheet: between
+/// the points halfway along the longest part on each side. Nothing where it stays on one. Linear.
+inline std::optional<Vector3> middle_of_open_curve(const Triangulated_solid& solid, const Surface_level& level,
+                                                   const std::vector<Edge_crossing>& crossings)
 {
   constexpr unsigned both_sides = 3;
   std::vector<Vector3> points;
-  crossing_points(surface, crossings, points);
+  crossing_points(level.surface, crossings, points);
+  const auto side_of_sheet = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
   std::vector<unsigned> sides;
   sides.reserve(crossings.size());
   for (const Edge_crossing& crossing : crossings) {
-    sides.push_back(sides_of_sheet(surface, side_of_sheet, {crossing}));
+    sides.push_back(sides_of_sheet(level.surface, side_of_sheet, {crossing}));
   }
   const std::size_t n = points.size();
   const auto start = std::size_t(std::find(sides.begin(), sides.end(), both_sides) - sides.begin());
@@ -88,9 +87,9 @@ class Sheet_section
 public:
   explicit Sheet_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
 
-  /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, if it is
-  /// about as wide as expected.
-  std::optional<Vector3> operator()(const Vector3& point, const Vector3& axis, double expected_half_width)
+  /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, and half of
+  /// its width, if that is about as expected.
+  std::optional<Ball> operator()(const Vector3& point, const Vector3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides
     const Index face = m_solid.closest_point(point).face;
@@ -100,13 +99,9 @@ public:
     if (!is_cut || m_section.length() < min_length * expected_length) {
       return std::nullopt;
     }
-    const Surface_level& level = m_solid.query_level();
-    const auto side = [this, &level](Index vertex) { return m_solid.side_of_sheet(level.to_finest(vertex)); };
-    return middle_of_open_curve(level.surface, side, m_section.crossings());
+    const auto middle = middle_of_open_curve(m_solid, m_solid.query_level(), m_section.crossings());
+    return middle ? std::optional<Ball>({*middle, m_section.length() / 4}) : std::nullopt;
   }
-
-  /// Half of the width of the sheet along the last section.
-  double half_width() const { return m_section.length() / 4; }
 
 private:
   /// Bounds for the length of an accepted section, relative to the expected one: as for radii in `Body_section`.
@@ -130,13 +125,11 @@ private:
 /// Moves `node`, of `separator`, to the middle of that if it is open, with half of the width of the sheet as radius.
 inline void place_on_sheet(const Triangulated_solid& solid, const Separator& separator, Skeleton_builder::Node& node)
 {
-  const Triangulated_surface& surface = solid.triangulation();
-  if (solid.side_of_sheet(surface.origin(separator.crossings.front().halfedge)) == 0) {
+  if (solid.side_of_sheet(solid.triangulation().origin(separator.crossings.front().halfedge)) == 0) {
     return;
   }
   node.is_on_sheet = true;
-  const auto side = [&solid](Index vertex) { return solid.side_of_sheet(vertex); };
-  if (const auto middle = middle_of_open_curve(surface, side, separator.crossings)) {
+  if (const auto middle = middle_of_open_curve(solid, solid.levels().finest(), separator.crossings)) {
     node.position = *middle;
     node.radius = separator.length / 4;
   }
@@ -226,8 +219,8 @@ private:
     if (!start_at(end)) {
       return;
     }
-    const double min_step = min_step_length * m_half_width;
-    double step = step_length * m_half_width;
+    const double min_step = min_step_length * m_here.radius;
+    double step = step_length * m_here.radius;
     Index last = end; // nodes up to here stay
     Index tip = no_index;
     for (int i = 0; i < max_steps && step >= min_step; ++i) {
@@ -235,15 +228,15 @@ private:
         step /= 2;
         continue;
       }
-      step = std::min(step, step_length * m_half_width);
+      step = std::min(step, step_length * m_here.radius);
       if (tip == no_index) {
-        tip = m_graph.add_node(m_position, m_half_width);
+        tip = m_graph.add_node(m_here.center, m_here.radius);
         m_graph[tip].is_on_sheet = true;
         m_graph.add_edge(last, tip);
       }
-      m_graph[tip].position = m_position;
-      m_graph[tip].radius = m_half_width;
-      if (m_graph.edge_length(last, tip) >= 2 * step_length * m_half_width) {
+      m_graph[tip].position = m_here.center;
+      m_graph[tip].radius = m_here.radius;
+      if (m_graph.edge_length(last, tip) >= 2 * step_length * m_here.radius) {
         last = std::exchange(tip, no_index);
       }
     }
@@ -253,20 +246,19 @@ private:
   /// the end, which need not be perpendicular to the branch. \return false if the sheet ends before
   bool advance(double step)
   {
-    const std::optional<Vector3> point = point_in_sheet(m_solid, m_position + step * m_direction);
-    if (!point || m_direction.dot(*point - m_position) < min_progress * step) {
+    const std::optional<Vector3> point = point_in_sheet(m_solid, m_here.center + step * m_direction);
+    if (!point || m_direction.dot(*point - m_here.center) < min_progress * step) {
       return false;
     }
-    const std::optional<Vector3> middle = m_section(*point, m_direction, m_half_width);
-    const double shift = middle ? (*middle - *point).norm() : m_half_width;
-    const double loss = m_half_width - m_section.half_width();
+    const std::optional<Ball> middle = m_section(*point, m_direction, m_here.radius);
+    const double shift = middle ? (middle->center - *point).norm() : m_here.radius;
+    const double loss = middle ? m_here.radius - middle->radius : 0;
     // A middle that is farther aside than the step is long is that of a section along the border at the end.
-    if (!middle || shift >= std::min(step, m_half_width) || (shift > max_shift * step && loss > min_loss * shift)) {
-      m_position = *point;
+    if (!middle || shift >= std::min(step, m_here.radius) || (shift > max_shift * step && loss > min_loss * shift)) {
+      m_here.center = *point;
     } else {
-      m_direction = (m_direction + 2 * (*middle - m_position).normalized()).normalized();
-      m_position = *middle;
-      m_half_width = m_section.half_width();
+      m_direction = (m_direction + 2 * (middle->center - m_here.center).normalized()).normalized();
+      m_here = *middle;
     }
     return true;
   }
@@ -275,15 +267,14 @@ private:
   /// if that has no direction
   bool start_at(Index tip)
   {
-    m_half_width = m_graph[tip].radius;
-    m_position = m_graph[tip].position;
+    m_here = {m_graph[tip].position, m_graph[tip].radius};
     Index before = tip;
     Index node = m_graph[tip].neighbors.front();
-    while (m_graph.is_regular(node) && m_graph.edge_length(tip, node) < m_half_width) {
+    while (m_graph.is_regular(node) && m_graph.edge_length(tip, node) < m_here.radius) {
       before = std::exchange(node, m_graph.other_neighbor(node, before));
     }
-    const Vector3 way = m_position - m_graph[node].position;
-    if (!(m_half_width > 0 && way.norm() > 0)) {
+    const Vector3 way = m_here.center - m_graph[node].position;
+    if (!(m_here.radius > 0 && way.norm() > 0)) {
       return false;
     }
     m_direction = way.normalized();
@@ -298,32 +289,31 @@ private:
   void turn_to_shortest_section()
   {
     const Vector3 aside =
-        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
+        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_here.center).face)).normalized();
     std::array<double, 3> half_width{};
     for (std::size_t k = 0; k < half_width.size(); ++k) {
-      if (!m_section(m_position, m_direction + (double(k) - 1) * turn * aside, m_half_width)) {
+      const auto middle = m_section(m_here.center, m_direction + (double(k) - 1) * turn * aside, m_here.radius);
+      if (!middle) {
         return;
       }
-      half_width[k] = m_section.half_width();
+      half_width[k] = middle->radius;
     }
     const double slope = half_width[2] - half_width[0];
     const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
     const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
     const Vector3 direction = (m_direction + change * turn * aside).normalized();
-    const std::optional<Vector3> middle = m_section(m_position, direction, m_half_width);
-    if (middle && (*middle - m_position).norm() < m_half_width) {
-      m_position = *middle;
+    const std::optional<Ball> middle = m_section(m_here.center, direction, m_here.radius);
+    if (middle && (middle->center - m_here.center).norm() < m_here.radius) {
+      m_here = *middle;
       m_direction = direction;
-      m_half_width = m_section.half_width();
     }
   }
 
   const Triangulated_solid& m_solid;
   Skeleton_builder& m_graph;
   Sheet_section m_section;
-  Vector3 m_position = Vector3::Zero(); ///< where the branch has been led to
+  Ball m_here; ///< where the branch has been led to, with half of the width of the sheet
   Vector3 m_direction = Vector3::Zero();
-  double m_half_width = 0; ///< there
 };
 
 } // namespace CSCD::internal

@@ -13,22 +13,29 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
+
+namespace internal {
+
+/// A ball in the body, or a disc across a branch.
+struct Ball
+{
+  Vector3 center = Vector3::Zero();
+  double radius = 0;
+};
+
+} // namespace internal
 
 /// Nodes and edges that can be inserted, merged and removed, in the normalized frame of the traits object.
 /// Parallel edges and loops may occur in between.
 class Skeleton_builder
 {
 public:
-  /// Two adjacent nodes, the smaller number first.
-  using Edge = std::pair<Index, Index>;
-
   /// A node of the skeleton.
   struct Node
   {
@@ -93,7 +100,19 @@ public:
 
   /// Joins `node` to `into`: edges between the two disappear, all others move.
   /// \pre `node` has no loop
-  void contract(Index node, Index into);
+  void contract(Index node, Index into)
+  {
+    std::vector<Index>& kept = m_nodes[into].neighbors;
+    kept.erase(std::remove(kept.begin(), kept.end(), node), kept.end());
+    for (Index neighbor : m_nodes[node].neighbors) {
+      CGAL_precondition(neighbor != node);
+      if (neighbor != into) {
+        replace_one(m_nodes[neighbor].neighbors, node, into);
+        kept.push_back(neighbor);
+      }
+    }
+    remove(node, into);
+  }
 
   /// The number of nodes.
   Index size() const { return Index(m_nodes.size()); }
@@ -146,27 +165,36 @@ public:
     return a != b && std::find(around.begin(), around.end(), b) == around.end();
   }
 
-  /// All edges, in the order of `for_each_edge()`.
-  std::vector<Edge> edges() const
+  /// All edges in a fixed order, as two adjacent nodes, the smaller number first. A loop of one node counts once.
+  std::vector<std::array<Index, 2>> edges() const
   {
-    std::vector<Edge> result;
-    for_each_edge([&result](Index a, Index b) { result.emplace_back(a, b); });
-    return result;
-  }
-
-  /// Drops the removed nodes; the others are renumbered in order.
-  void compact();
-
-  /// Calls `function(a, b)` for each edge, with `a` <= `b`, in a fixed order. A loop of one node counts once.
-  template <class Function>
-  void for_each_edge(const Function& function) const
-  {
+    std::vector<std::array<Index, 2>> result;
     for (Index a = 0; a < m_nodes.size(); ++a) {
       std::size_t loop_ends = 0;
       for (Index b : m_nodes[a].neighbors) {
         if (a < b || (a == b && ++loop_ends % 2 == 1)) {
-          function(a, b);
+          result.push_back({a, b});
         }
+      }
+    }
+    return result;
+  }
+
+  /// Drops the removed nodes; the others are renumbered in order.
+  void compact()
+  {
+    std::vector<Index> number(m_nodes.size(), no_index);
+    Index count = 0;
+    for (Index node = 0; node < m_nodes.size(); ++node) {
+      if (!m_nodes[node].is_removed) {
+        number[node] = count++;
+      }
+    }
+    m_nodes.erase(std::remove_if(m_nodes.begin(), m_nodes.end(), [](const Node& node) { return node.is_removed; }),
+                  m_nodes.end());
+    for (Node& node : m_nodes) {
+      for (Index& neighbor : node.neighbors) {
+        neighbor = number[neighbor];
       }
     }
   }
@@ -207,110 +235,56 @@ struct Embedded_skeleton
 
 /// Divides loops and all but one of parallel edges by further nodes, so that every cycle has at least three nodes.
 /// A divided edge is bent aside, since its two ends may lie in one place or be joined by a straight edge already.
-void make_simple(Skeleton_builder& builder);
-
-/// Writes the counts of `skeleton` to `report`, and warnings of its faults. \pre no node is removed
-void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_report& report);
-
-} // namespace CSCD
-
-namespace CSCD::internal {
-
-inline void warn_of_skeleton(Skeletonization_report& report)
-{
-  if (report.genus && report.betti_number != *report.genus) {
-    report.warnings.push_back("the skeleton has " + counted(report.betti_number, "independent cycle") +
-                              ", the surface " + counted(*report.genus, "handle"));
-  }
-  const std::size_t nodes = report.number_of_nodes_outside;
-  const std::size_t edges = report.number_of_edges_outside;
-  if (nodes + edges > 0) {
-    report.warnings.push_back((nodes > 0 ? counted(nodes, "node") : std::string()) +
-                              (nodes > 0 && edges > 0 ? " and " : "") +
-                              (edges > 0 ? counted(edges, "edge") : std::string()) +
-                              (nodes + edges == 1 ? " is" : " are") + " not wholly inside the body");
-  }
-}
-
-} // namespace CSCD::internal
-
-namespace CSCD {
-
-inline void Skeleton_builder::contract(Index node, Index into)
-{
-  CGAL_precondition(std::count(m_nodes[node].neighbors.begin(), m_nodes[node].neighbors.end(), node) == 0);
-  std::vector<Index> moved;
-  for (Index neighbor : m_nodes[node].neighbors) {
-    if (neighbor != into) {
-      moved.push_back(neighbor);
-    }
-  }
-  std::vector<Index>& kept = m_nodes[into].neighbors;
-  kept.erase(std::remove(kept.begin(), kept.end(), node), kept.end());
-  for (Index neighbor : moved) {
-    replace_one(m_nodes[neighbor].neighbors, node, into);
-    kept.push_back(neighbor);
-  }
-  remove(node, into);
-}
-
-inline void Skeleton_builder::compact()
-{
-  std::vector<Index> number(m_nodes.size(), no_index);
-  Index count = 0;
-  for (Index node = 0; node < m_nodes.size(); ++node) {
-    if (!m_nodes[node].is_removed) {
-      number[node] = count++;
-    }
-  }
-  m_nodes.erase(std::remove_if(m_nodes.begin(), m_nodes.end(), [](const Node& node) { return node.is_removed; }),
-                m_nodes.end());
-  for (Node& node : m_nodes) {
-    for (Index& neighbor : node.neighbors) {
-      neighbor = number[neighbor];
-    }
-  }
-}
-
 inline void make_simple(Skeleton_builder& builder)
 {
-  std::set<Skeleton_builder::Edge> seen;
   for (const auto& [a, b] : builder.edges()) {
     const double radius = (builder[a].radius + builder[b].radius) / 2;
     const Vector3 along = builder[b].position - builder[a].position;
+    const std::vector<Index>& neighbors = builder[a].neighbors;
     if (a == b) {
       const Index first = builder.split_edge(a, a, builder[a].position + radius * Vector3::UnitX() / 2, radius);
       builder.split_edge(first, a, builder[a].position + radius * Vector3::UnitY() / 2, radius);
-    } else if (!seen.insert({a, b}).second) {
+    } else if (std::count(neighbors.begin(), neighbors.end(), b) > 1) {
       const Vector3 aside = along.norm() > 0 ? Vector3(along.unitOrthogonal()) : Vector3(Vector3::UnitX());
       builder.split_edge(a, b, builder[a].position + along / 2 + radius / 2 * aside, radius);
     }
   }
 }
 
+/// Writes the counts of `skeleton` to `report`, and warnings of its faults. \pre no node is removed
 inline void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_report& report)
 {
   internal::Disjoint_sets components(skeleton.size());
-  report.number_of_nodes = skeleton.size();
-  report.number_of_edges = 0;
-  skeleton.for_each_edge([&](Index a, Index b) {
-    ++report.number_of_edges;
+  const auto edges = skeleton.edges();
+  for (const auto& [a, b] : edges) {
     components.join(a, b);
-  });
-  report.number_of_skeleton_components = 0;
-  for (Index node = 0; node < skeleton.size(); ++node) {
-    report.number_of_skeleton_components += components.find(node) == node ? 1 : 0;
   }
-  report.betti_number = report.number_of_edges + report.number_of_skeleton_components - report.number_of_nodes;
+  report.number_of_nodes = skeleton.size();
+  report.number_of_edges = edges.size();
+  report.number_of_skeleton_components = 0;
   report.number_of_tips = 0;
   report.number_of_junctions = 0;
   report.number_of_openings = 0;
   for (Index node = 0; node < skeleton.size(); ++node) {
+    report.number_of_skeleton_components += components.find(node) == node ? 1 : 0;
     report.number_of_tips += skeleton.degree(node) == 1 ? 1 : 0;
     report.number_of_junctions += skeleton.is_junction(node) ? 1 : 0;
     report.number_of_openings += skeleton[node].is_opening ? 1 : 0;
   }
-  internal::warn_of_skeleton(report);
+  report.betti_number = report.number_of_edges + report.number_of_skeleton_components - report.number_of_nodes;
+  using internal::counted;
+  if (report.genus && report.betti_number != *report.genus) {
+    report.warnings.push_back("the skeleton has " + counted(report.betti_number, "independent cycle") +
+                              ", the surface " + counted(*report.genus, "handle"));
+  }
+  const std::size_t nodes = report.number_of_nodes_outside;
+  const std::size_t edges_outside = report.number_of_edges_outside;
+  if (nodes + edges_outside > 0) {
+    report.warnings.push_back((nodes > 0 ? counted(nodes, "node") : std::string()) +
+                              (nodes > 0 && edges_outside > 0 ? " and " : "") +
+                              (edges_outside > 0 ? counted(edges_outside, "edge") : std::string()) +
+                              (nodes + edges_outside == 1 ? " is" : " are") + " not wholly inside the body");
+  }
 }
 
 } // namespace CSCD

@@ -25,126 +25,96 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Assigns each vertex to the nearest node of its piece of the cut surface; so vertices on a limb stay with that limb,
-/// however near another one comes. The nodes of a piece are its own, the nodes of the separators around it, and the
-/// nodes between these and the next nodes of other pieces and separators.
-class Vertex_assignment
+/// For each piece of the cut surface, the nodes that its vertices may belong to, in ascending order: its own, the nodes
+/// of the separators around it, and the nodes between these and the next nodes of other pieces and separators.
+inline std::vector<std::vector<Index>> nodes_of_pieces(const Cut_graph& cut_graph, const Skeleton_builder& graph)
 {
-public:
-  /// Assigns all vertices: compares each with all nodes of its piece.
-  Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder)
-      : m_surface(surface), m_builder(builder), m_nodes(cut_graph.pieces().size()), m_node(surface.number_of_vertices())
-  {
-    collect_nodes(cut_graph);
-    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
-      m_node[vertex] = nearest(surface.point(vertex), m_nodes[cut_graph.piece_of_vertex(vertex)]);
+  std::vector<std::vector<Index>> result(cut_graph.pieces().size());
+  for (Index node = 0; node < graph.size(); ++node) {
+    for (Index piece : graph[node].pieces) {
+      result[piece].push_back(node);
+    }
+    for (Index separator : graph[node].separators) {
+      result[cut_graph.sides(separator).left].push_back(node);
+      result[cut_graph.sides(separator).right].push_back(node);
     }
   }
-
-  /// The nodes of `piece`, in ascending order.
-  const std::vector<Index>& nodes(Index piece) const { return m_nodes[piece]; }
-  /// The node of `vertex`.
-  Index node(Index vertex) const { return m_node[vertex]; }
-
-  /// Mean distance of the surface around each node from the curve, by area; of an opening, the radius of the border.
-  std::vector<double> radii() const
-  {
-    std::vector<double> weight(m_builder.size(), 0);
-    std::vector<double> result(m_builder.size(), 0);
-    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
-      const double vertex_weight = double(m_surface.vertex_area(vertex));
-      result[m_node[vertex]] +=
-          vertex_weight * std::sqrt(squared_distance_from_curve(m_surface.point(vertex), m_node[vertex]));
-      weight[m_node[vertex]] += vertex_weight;
-    }
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      // A node may lie in its only vertex, where a sheet has no thickness.
-      const bool is_measured = weight[node] > 0 && result[node] > 0 && !m_builder[node].is_opening;
-      result[node] = is_measured ? result[node] / weight[node] : m_builder[node].radius;
-    }
-    return result;
-  }
-
-  /// The nodes of all vertices.
-  const std::vector<Index>& nodes_of_vertices() const { return m_node; }
-
-private:
-  void collect_nodes(const Cut_graph& cut_graph)
-  {
-    std::vector<Index> node_of_separator;
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      for (Index separator : m_builder[node].separators) {
-        node_of_separator.resize(std::max<std::size_t>(node_of_separator.size(), separator + 1), no_index);
-        node_of_separator[separator] = node;
-      }
-      for (Index piece : m_builder[node].pieces) {
-        m_nodes[piece].push_back(node);
-      }
-    }
-    std::vector<Index> last_piece(m_builder.size(), no_index); // that each node was added to
-    for (Index piece = 0; piece < m_nodes.size(); ++piece) {
-      for (Index separator : cut_graph.pieces()[piece].separators) {
-        m_nodes[piece].push_back(node_of_separator[separator]);
-      }
-      add_nodes_between(piece, last_piece);
-    }
-  }
-
-  /// Adds to the nodes of `piece` the nodes that can be reached from them over nodes that stand for no piece or
-  /// separator.
-  void add_nodes_between(Index piece, std::vector<Index>& last_piece)
-  {
-    std::vector<Index>& nodes = m_nodes[piece];
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const auto is_between = [&](Index node) { return graph[node].separators.empty() && graph[node].pieces.empty(); };
+  std::vector<Index> last_piece(graph.size(), no_index); // that each node was added to
+  for (Index piece = 0; piece < result.size(); ++piece) {
+    std::vector<Index>& nodes = result[piece];
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (Index neighbor : m_builder[nodes[i]].neighbors) {
-        const Skeleton_builder::Node& node = m_builder[neighbor];
-        if (node.separators.empty() && node.pieces.empty() && last_piece[neighbor] != piece) {
-          last_piece[neighbor] = piece;
+      for (Index neighbor : graph[nodes[i]].neighbors) {
+        if (is_between(neighbor) && std::exchange(last_piece[neighbor], piece) != piece) {
           nodes.push_back(neighbor);
         }
       }
     }
     std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
+  return result;
+}
 
-  double squared_distance(const Vector3& point, Index node) const
-  {
-    return (point - m_builder[node].position).squaredNorm();
+/// For each vertex, the nearest node of its piece of the cut surface; so vertices on a limb stay with that limb,
+/// however near another one comes. Compares each vertex with all nodes of its piece.
+inline std::vector<Index> assign_vertices(const Triangulated_surface& surface, const Cut_graph& cut_graph,
+                                          const Skeleton_builder& graph)
+{
+  const std::vector<std::vector<Index>> nodes_of_piece = nodes_of_pieces(cut_graph, graph);
+  std::vector<Index> result(surface.number_of_vertices());
+  for (Index vertex = 0; vertex < result.size(); ++vertex) {
+    const std::vector<Index>& nodes = nodes_of_piece[cut_graph.piece_of_vertex(vertex)];
+    const auto squared_distance = [&](Index node) {
+      return (surface.point(vertex) - graph[node].position).squaredNorm();
+    };
+    result[vertex] = *std::min_element(nodes.begin(), nodes.end(),
+                                       [&](Index a, Index b) { return squared_distance(a) < squared_distance(b); });
   }
+  return result;
+}
 
-  Index nearest(const Vector3& point, const std::vector<Index>& nodes) const
-  {
-    return *std::min_element(nodes.begin(), nodes.end(),
-                             [&](Index a, Index b) { return squared_distance(point, a) < squared_distance(point, b); });
-  }
-
-  /// The squared distance of `point` from the edges at `node`, or from `node` where it has none.
-  double squared_distance_from_curve(const Vector3& point, Index node) const
-  {
-    double least = squared_distance(point, node);
-    const Vector3& origin = m_builder[node].position;
-    for (Index neighbor : m_builder[node].neighbors) {
-      const Vector3 edge = m_builder[neighbor].position - origin;
-      const double squared_length = edge.squaredNorm();
-      const double along = squared_length > 0 ? std::clamp(edge.dot(point - origin) / squared_length, 0., 1.) : 0.;
-      if (along > 0) {
-        least = std::min(least, (point - origin - along * edge).squaredNorm());
-      }
+/// The distance of `point` from the edges at `node`, or from `node` where it has none.
+inline double distance_from_curve(const Skeleton_builder& graph, const Vector3& point, Index node)
+{
+  const Vector3 offset = point - graph[node].position;
+  double least = offset.squaredNorm();
+  for (Index neighbor : graph[node].neighbors) {
+    const Vector3 edge = graph[neighbor].position - graph[node].position;
+    const double squared_length = edge.squaredNorm();
+    const double along = squared_length > 0 ? std::clamp(edge.dot(offset) / squared_length, 0., 1.) : 0.;
+    if (along > 0) {
+      least = std::min(least, (offset - along * edge).squaredNorm());
     }
-    return least;
   }
+  return std::sqrt(least);
+}
 
-  const Triangulated_surface& m_surface;
-  const Skeleton_builder& m_builder;
-  std::vector<std::vector<Index>> m_nodes; ///< of each piece
-  std::vector<Index> m_node;               ///< of each vertex
-};
+/// For each node, the mean distance of the surface around it from the curve, by area; of an opening, the radius of the
+/// border.
+inline std::vector<double> mean_radii(const Triangulated_surface& surface, const std::vector<Index>& node_of_vertex,
+                                      const Skeleton_builder& graph)
+{
+  std::vector<double> weight(graph.size(), 0);
+  std::vector<double> result(graph.size(), 0);
+  for (Index vertex = 0; vertex < node_of_vertex.size(); ++vertex) {
+    const Index node = node_of_vertex[vertex];
+    const double vertex_weight = double(surface.vertex_area(vertex));
+    result[node] += vertex_weight * distance_from_curve(graph, surface.point(vertex), node);
+    weight[node] += vertex_weight;
+  }
+  for (Index node = 0; node < graph.size(); ++node) {
+    // A node may lie in its only vertex, where a sheet has no thickness.
+    const bool is_measured = weight[node] > 0 && result[node] > 0 && !graph[node].is_opening;
+    result[node] = is_measured ? result[node] / weight[node] : graph[node].radius;
+  }
+  return result;
+}
 
 /// Writes the graph that `cut` describes to `graph`, with nodes in the middle of the body nearby: junctions in that of
 /// inscribed balls, tips below the ends of limbs.
@@ -156,7 +126,7 @@ inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>
   merge_junctions(graph);
   settle_on_sheets(cut.solid, graph);
   routing.bring_inside();
-  Junction_centering(cut.solid, graph)();
+  center_junctions(cut.solid, graph);
   Limb_ends(cut, pieces, nodes, graph)();
 }
 
@@ -174,20 +144,20 @@ inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
 
 /// Removes nodes from straight parts of branches: nodes that no vertex of the input belongs to, and all nodes whose
 /// neighbors are at most `node_spacing` radii apart. The edges that replace them stay inside the body.
-/// \param radius of each node, as measured on the surface; the remaining nodes keep theirs
-/// \return whether a node was removed
-inline bool thin_branches(const Triangulated_solid& solid, const Vertex_assignment& assignment, double node_spacing,
-                          Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph,
-                          std::vector<double>& radius)
+/// The remaining nodes keep their radii. \return whether a node was removed
+inline bool thin_branches(const Triangulated_solid& solid, double node_spacing,
+                          Inside_routing<Triangulated_solid>& routing, Embedded_skeleton& skeleton)
 {
   // A node without vertices may be this far from the edge that replaces it, relative to R; its radius may differ as
   // much. The edge is at most this long, relative to R, so that deviations do not add up.
   constexpr double max_deviation = 0.04;
   constexpr double max_length = 4;
 
+  Skeleton_builder& graph = skeleton.graph;
+  std::vector<double>& radius = skeleton.radius;
   std::vector<char> owns_vertex(graph.size(), 0);
-  for (Index vertex = 0; vertex < solid.triangulation().number_of_vertices(); ++vertex) {
-    owns_vertex[assignment.node(vertex)] |= char(!solid.input_vertices(vertex).empty());
+  for (Index vertex = 0; vertex < skeleton.node_of_vertex.size(); ++vertex) {
+    owns_vertex[skeleton.node_of_vertex[vertex]] |= char(!solid.input_vertices(vertex).empty());
   }
   for (Index index = 0; index < graph.size(); ++index) {
     const Skeleton_builder::Node& node = graph[index];
@@ -239,14 +209,13 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   finish_on_sheets(solid, graph);
   routing.route_edges(true);
   graph.compact();
-  const auto assign_vertices = [&] { return Vertex_assignment(solid.triangulation(), cut_graph, graph); };
-  const Vertex_assignment assignment = assign_vertices();
-  result.radius = assignment.radii();
-  const bool is_thinned = thin_branches(solid, assignment, node_spacing, routing, graph, result.radius);
-  result.node_of_vertex = (is_thinned ? assign_vertices() : assignment).nodes_of_vertices();
-  const auto outside = routing.count_outside();
-  report.number_of_nodes_outside = outside.number_of_nodes;
-  report.number_of_edges_outside = outside.number_of_edges;
+  const Triangulated_surface& surface = solid.triangulation();
+  result.node_of_vertex = assign_vertices(surface, cut_graph, graph);
+  result.radius = mean_radii(surface, result.node_of_vertex, graph);
+  if (thin_branches(solid, node_spacing, routing, result)) {
+    result.node_of_vertex = assign_vertices(surface, cut_graph, graph);
+  }
+  routing.count_outside(report);
   return result;
 }
 

@@ -49,28 +49,27 @@ inline void merge_junctions(Skeleton_builder& graph)
   }
 }
 
-/// A ball in the body.
-struct Ball
-{
-  Vector3 center = Vector3::Zero();
-  double radius = 0;
-};
-
 /// Grows an inscribed ball from `start`: steps away from the nearest bounding point as long as the ball gets larger,
 /// for at most `max_shift` in all.
-/// \param nearest a function that returns the bounding point nearest to a point
-/// \param place a function that returns where a point is to be instead, if anywhere
-template <class Nearest, class Place>
-Ball inscribed_ball(const Nearest& nearest, const Place& place, const Vector3& start, double max_shift)
+/// \param rim points of the borders if the ball is to be in a sheet; empty in a body
+inline Ball inscribed_ball(const Triangulated_solid& solid, const std::vector<Vector3>& rim, const Vector3& start,
+                           double max_shift)
 {
   // More steps move a junction by less than a hundredth of its radius.
   constexpr int number_of_steps = 10;
   constexpr double first_step = 0.5;
+  const auto nearest = [&](const Vector3& point) {
+    const auto is_nearer = [&](const Vector3& a, const Vector3& b) {
+      return (a - point).squaredNorm() < (b - point).squaredNorm();
+    };
+    return rim.empty() ? solid.closest_point(point).point : *std::min_element(rim.begin(), rim.end(), is_nearer);
+  };
   Vector3 touched = nearest(start);
   Ball ball{start, (start - touched).norm()};
   double step = first_step;
   for (int i = 0; i < number_of_steps && ball.radius > 0; ++i) {
-    const std::optional<Vector3> candidate = place(ball.center + step * (ball.center - touched));
+    const Vector3 next = ball.center + step * (ball.center - touched);
+    const std::optional<Vector3> candidate = rim.empty() ? next : point_in_sheet(solid, next);
     const Vector3 candidate_touched = nearest(candidate.value_or(start));
     const double radius = candidate ? (*candidate - candidate_touched).norm() : 0;
     if (radius <= ball.radius || (*candidate - start).norm() > max_shift) {
@@ -83,62 +82,30 @@ Ball inscribed_ball(const Nearest& nearest, const Place& place, const Vector3& s
   return ball;
 }
 
-/// Moves junctions to the center of an inscribed ball nearby, or on sheets, of a disc between borders.
-class Junction_centering
+/// Moves every junction, at most by the maximal radius around it, to the center of an inscribed ball nearby or, on a
+/// sheet, of a disc between borders.
+inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& graph)
 {
-public:
-  Junction_centering(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder) {}
-
-  /// Moves every junction, at most by the maximal radius around it.
-  void operator()()
-  {
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      if (m_builder.is_junction(node) && m_solid.is_inside(m_builder[node].position)) {
-        center(node);
-      }
+  const std::vector<Vector3> no_rim;
+  std::vector<Vector3> rim; // of sheets; empty until there is a junction on one
+  for (Index node = 0; node < graph.size(); ++node) {
+    if (!graph.is_junction(node) || !solid.is_inside(graph[node].position)) {
+      continue;
+    }
+    double max_shift = 0;
+    for (const Index neighbor : graph[node].neighbors) {
+      max_shift = std::max(max_shift, graph[neighbor].radius);
+    }
+    if (graph[node].is_on_sheet && rim.empty()) {
+      rim = rim_points(solid);
+    }
+    const Ball ball = inscribed_ball(solid, graph[node].is_on_sheet ? rim : no_rim, graph[node].position, max_shift);
+    if (solid.is_inside(ball.center)) {
+      graph[node].position = ball.center;
+      graph[node].radius = ball.radius;
     }
   }
-
-private:
-  void center(Index node)
-  {
-    double radius = 0;
-    for (const Index neighbor : m_builder[node].neighbors) {
-      radius = std::max(radius, m_builder[neighbor].radius);
-    }
-    const Ball ball = m_builder[node].is_on_sheet ? disc(m_builder[node].position, radius)
-                                                  : ball_in_body(m_builder[node].position, radius);
-    if (m_solid.is_inside(ball.center)) {
-      m_builder[node].position = ball.center;
-      m_builder[node].radius = ball.radius;
-    }
-  }
-
-  Ball ball_in_body(const Vector3& start, double max_shift) const
-  {
-    return inscribed_ball([this](const Vector3& point) { return m_solid.closest_point(point).point; },
-                          [](const Vector3& point) { return std::optional<Vector3>(point); }, start, max_shift);
-  }
-
-  /// A ball around a point of a sheet, up to the border.
-  Ball disc(const Vector3& start, double max_shift)
-  {
-    if (m_rim.empty()) {
-      m_rim = rim_points(m_solid);
-    }
-    const auto nearest = [this](const Vector3& point) {
-      return *std::min_element(m_rim.begin(), m_rim.end(), [&point](const Vector3& a, const Vector3& b) {
-        return (a - point).squaredNorm() < (b - point).squaredNorm();
-      });
-    };
-    const auto place = [this](const Vector3& point) { return point_in_sheet(m_solid, point); };
-    return inscribed_ball(nearest, place, start, max_shift);
-  }
-
-  const Triangulated_solid& m_solid;
-  Skeleton_builder& m_builder;
-  std::vector<Vector3> m_rim; ///< of sheets; empty until there is a junction on one
-};
+}
 
 /// Straightens forks of tubes, as of vessels: a stem parts at a small angle in two branches, and the middle of the body
 /// is that of both until their walls part. There, a junction lies up to three radii behind the axes' meeting point.
