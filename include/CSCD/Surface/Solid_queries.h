@@ -98,13 +98,14 @@ public:
     return is_inside(point) ? Vector3(-way.normalized()) : way.normalized();
   }
 
-  /// The middle of the body behind the point of the surface that is nearest to `point`: half way from there, in the
-  /// direction into the body, to where it ends. None where the body is too thin to decide, or the surface intersects
-  /// itself.
+  /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
+  /// `point` through there leaves the body again. None where the body is too thin to decide, or the surface intersects
+  /// itself. \pre `point` is not inside the body
   std::optional<Vector3> middle_behind(const Vector3& point) const
   {
     const Surface_point nearest = closest_point(point);
-    const Vector3 inward = inward_direction(nearest, point);
+    const Vector3 through = nearest.point - point;
+    const Vector3 inward = through.norm() > m_offset ? through.normalized() : inward_direction(nearest, point);
     const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
     if (!hit) {
       return std::nullopt;
