@@ -489,12 +489,4 @@ TEST(Simplify_skeleton, refuses_what_has_no_meaning)
   EXPECT_THROW(CSCD::simplify_skeleton(skeleton), CSCD::Input_error);
 }
 
-/// The minimal skeleton type: neither radii nor properties of edges, and descriptors that are not numbers.
-struct Plain_node
-{
-  Point point;
-  std::vector<std::size_t> vertices;
-};
-using Plain_skeleton = boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS, Plain_node>;
-
 } // namespace
