@@ -168,7 +168,8 @@ TEST(Holes, through_blocks_have_cycles_around_them)
       }
     }
   }
-  // A separator around the block that the hole passes is not always recognized: 52 are right.
+  // A separator around the block that the hole passes is not always recognized: 51 are right, as many as if
+  // the vertices are moved at random by a millionth.
   EXPECT_GE(number_right, 51u) << "of " << number;
 }
 
@@ -236,7 +237,7 @@ TEST(Holes, of_pipes_have_cycles_around_them)
       number_right += has_cycles_around_hollow({radius, wall, center, {x, -x, z, -z}}) ? 1 : 0;
     }
   }
-  // Of 20, 19 are right: one has separators through the wall next to separators along it.
+  // Of 20, 18 are right: the others have separators through the wall next to separators along it.
   EXPECT_GE(number_right, 18u);
 }
 

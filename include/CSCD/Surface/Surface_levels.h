@@ -238,15 +238,16 @@ private:
     for (Index i = 0; i < degree; ++i) {
       face_vector[i] = face_vector[i + degree] = incident_edge[i].cross(incident_edge[i + 1]);
     }
-    // Costs are rounded to single precision: of costs that differ by rounding only, the first one counts.
+    // Costs are rounded to single precision, so that rounding does not choose between equal ones.
     Index best = no_index;
-    float best_cost = std::numeric_limits<float>::max();
+    std::pair best_cost(std::numeric_limits<float>::max(), std::numeric_limits<std::uint32_t>::max());
     for (Index i = 0; i < degree; ++i) {
-      if (m_status[neighbors[i]] != Status::kept || float(incident_edge[i].squaredNorm()) >= best_cost) {
+      if (m_status[neighbors[i]] != Status::kept || float(incident_edge[i].squaredNorm()) > best_cost.first) {
         continue;
       }
       const double cosine = least_turn_squared_cosine(incident_edge, face_vector, degree, i);
-      const auto cost = float(incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine)));
+      const std::pair cost(float(incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine))),
+                           scattered(vertex, neighbors[i]));
       if (cosine >= min_squared_cosine && cost < best_cost && is_collapsible(vertex, i)) {
         best = i;
         best_cost = cost;

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -133,6 +134,19 @@ inline void sort_faces(Indexed_triangles& triangles)
   triangles.faces = std::move(buckets).values();
 }
 
+namespace internal {
+
+/// A number of the edge between two vertices that decides between equal choices: scattered, since the first or the
+/// least would lead all choices to one side. The multipliers are primes of xxHash.
+constexpr std::uint32_t scattered(Index a, Index b)
+{
+  constexpr std::uint32_t first_prime = 0x9e3779b1U;
+  constexpr std::uint32_t second_prime = 0x85ebca77U;
+  std::uint32_t mixed = (a * first_prime) ^ (b * second_prime);
+  mixed = (mixed ^ (mixed >> 15U)) * second_prime;
+  return mixed ^ (mixed >> 13U);
+}
+
 /// The point of a fine grid that `point` is nearest to: coordinates that differ by rounding only become equal.
 /// \pre the coordinates are about 1
 inline Vector3 on_grid(const Vector3& point)
@@ -140,6 +154,8 @@ inline Vector3 on_grid(const Vector3& point)
   constexpr double lines = 1 << 30; // for each unit of length
   return {std::round(lines * point.x()), std::round(lines * point.y()), std::round(lines * point.z())};
 }
+
+} // namespace internal
 
 /// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest
 /// corner on. Linear where degrees are bounded.

@@ -17,11 +17,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -161,9 +161,9 @@ public:
   }
 
 private:
-  /// The squared length, relative to the bound, in single precision, and the ranks of the ends: equally long edges have
-  /// an order that neither their numbers nor rounding decide.
-  using Key = std::tuple<float, Index, Index>;
+  /// The squared length, relative to the bound, in single precision, and a number from the ranks of the ends: equally
+  /// long edges have an order that neither their numbers nor rounding decide.
+  using Key = std::pair<float, std::uint32_t>;
   using Long_edge = std::pair<Key, Index>;
 
   /// Angles that differ less from the angles of a rectangle are not worth a flip: rounding would decide.
@@ -182,15 +182,15 @@ private:
   Vector3 midpoint(Index h) const { return (point(h) + point(next(h))) / 2; }
   Key key(Index h) const
   {
-    const auto [first, second] = std::minmax(m_rank[origin(h)], m_rank[target(h)]);
-    return {float((point(h) - point(next(h))).squaredNorm() / m_squared_bound[m_components.component[h / 3]]), first,
-            second};
+    const Index its = directed(h);
+    return {float((point(h) - point(next(h))).squaredNorm() / m_squared_bound[m_components.component[h / 3]]),
+            scattered(m_rank[origin(its)], m_rank[target(its)])};
   }
   void push_if_long(Index h)
   {
     const Key edge = key(h);
     const bool is_within_hole = m_is_hole_filling[h / 3] != 0 && m_is_hole_filling[m_twin[h] / 3] != 0;
-    if (std::get<0>(edge) > 1 && !is_within_hole) {
+    if (edge.first > 1 && !is_within_hole) {
       m_long_edges.emplace(edge, h);
     }
   }
