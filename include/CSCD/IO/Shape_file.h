@@ -32,7 +32,8 @@ struct Shape_file
   std::vector<Index> corners;
   /// Where each polygon's corners begin in `corners`, and at last their number.
   std::vector<std::size_t> first_corner{0};
-  /// Whether the file has polygons, even where these are passed over.
+  /// Whether the file has polygons, even where these are passed over. Only parsers of formats
+  /// that have lines, too, set it: OBJ, PLY and VTK.
   bool has_polygons = false;
   /// The ends of segments, as indices into `points`; not checked yet.
   std::vector<std::array<std::int64_t, 2>> lines;
