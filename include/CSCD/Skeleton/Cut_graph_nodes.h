@@ -25,6 +25,7 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -255,10 +256,13 @@ public:
 private:
   /// The weight of the center of a separator for a junction, relative to its squared length.
   static constexpr double separator_weight = 0.1;
-  /// Longer edges are led over the centroid of their piece, relative to the radius, ...
+  /// Longer edges are bent, relative to the radius, ...
   static constexpr double min_bent_edge = 1;
-  /// ... for this part of the way there.
-  static constexpr double bend_share = 0.85;
+  /// ... by less than this, likewise.
+  static constexpr double max_bend = 0.85;
+  /// The height of an arc, relative to its chord times the difference of the unit tangents at its ends: 1/8 of a flat
+  /// arc, 1/4 of a half circle.
+  static constexpr double arc_share = 0.2;
 
   /// Node i is that of the separator at position i.
   void place_separators()
@@ -288,7 +292,7 @@ private:
       m_graph[m_node_of_piece[piece]].number_of_vertices = share;
     } else if (around.size() == 2 && (around[0] != around[1] || !add_cycle(around[0], no_index))) {
       m_graph.add_edge(around[0], around[1]);
-      bend_edge(piece, around[0], around[1]);
+      bend_edge(around[0], around[1]);
     }
   }
 
@@ -367,17 +371,18 @@ private:
     return true;
   }
 
-  /// Leads a long edge towards the centroid of its piece, which is on the outer side of a bend.
-  void bend_edge(Index piece, Index a, Index b)
+  /// Leads a long edge over the middle of the arc that is perpendicular to the separators at its ends.
+  void bend_edge(Index a, Index b)
   {
     const double radius = (m_graph[a].radius + m_graph[b].radius) / 2;
-    const Vector3 middle = (m_graph[a].position + m_graph[b].position) / 2;
     const Vector3 way = m_graph[b].position - m_graph[a].position;
-    const Vector3 aside = m_pieces.centroid(piece).value_or(middle) - middle;
-    const Vector3 along = way.normalized();
-    const Vector3 point = middle + bend_share * (aside - aside.dot(along) * along);
-    if (!m_graph[a].is_on_sheet && way.norm() >= min_bent_edge * radius &&
-        (point - middle).norm() < bend_share * radius && m_cut.solid.is_inside(point)) {
+    const auto tangent = [&](Index i) {
+      return std::copysign(1, m_cut.separator(i).normal.dot(way)) * m_cut.separator(i).normal;
+    };
+    const Vector3 aside = arc_share * way.norm() * (tangent(a) - tangent(b));
+    const Vector3 point = (m_graph[a].position + m_graph[b].position) / 2 + aside;
+    if (!m_graph[a].is_on_sheet && way.norm() >= min_bent_edge * radius && aside.norm() < max_bend * radius &&
+        m_cut.solid.is_inside(point)) {
       m_graph.split_edge(a, b, point, radius);
     }
   }
