@@ -16,6 +16,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -191,6 +192,39 @@ TEST_P(Plain_bodies, keep_their_axis_at_any_spacing_of_nodes)
       number_of_vertices += vertices.size();
     }
     EXPECT_EQ(number_of_vertices, soup.points.size());
+  }
+}
+
+// An ellipsoid of diameters 1, 0.12 and 6 along the axis of the other bodies, its vertices scattered.
+TEST(Plain_bodies, of_thin_sections_and_uneven_triangles_have_a_straight_skeleton)
+{
+  constexpr std::size_t rows = 24;
+  Soup soup = triangulated({"blade", regular_polygon(24)}, 1, rows - 1);
+  const std::size_t per_row = (soup.points.size() - 2) / rows;
+  for (const unsigned seed : {0U, 1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> shift(-0.4, 0.4);
+    for (std::size_t i = 0; i + 2 < soup.points.size(); ++i) {
+      const double along = 2 * (double(i / per_row) + 0.5 + shift(generator)) / rows - 1;
+      const double angle = 2 * pi * (double(i % per_row) + 0.4 + shift(generator)) / double(per_row);
+      const double radius = std::sqrt(1 - along * along) / 2;
+      soup.points[i] = turned({radius * std::cos(angle), 0.12 * radius * std::sin(angle), height * (1 + along) / 2});
+    }
+    CSCD::Skeleton skeleton;
+    CSCD::skeletonize(soup.points, soup.faces, CSCD::Options(), skeleton);
+    // Distances from the axis are those of the scattered surface, too; waves make the branch longer.
+    const Vector3 axis = turned({0, 0, 1});
+    double length = 0;
+    double height_passed = 0;
+    for (const auto& [a, b] : skeleton.edges) {
+      const Vector3 way = skeleton.points[b] - skeleton.points[a];
+      if (std::abs(skeleton.points[a].dot(axis) - height / 2) < 0.35 * height) {
+        length += way.norm();
+        height_passed += std::abs(way.dot(axis));
+      }
+    }
+    EXPECT_LT(length, 1.0004 * height_passed);
   }
 }
 
