@@ -101,6 +101,17 @@ TEST(Visitor, of_a_mesh)
       [&](auto& skeleton, const auto& np) { CSCD::extract_curve_skeleton(mesh, skeleton, np); });
 }
 
+TEST(Visitor, of_any_type_is_copied_without_the_original)
+{
+  Record record;
+  Recording_visitor visitor(record);
+  CSCD::Any_skeletonization_visitor original(visitor);
+  CSCD::Any_skeletonization_visitor copy(original);
+  original.go_further = [] { return false; };
+  EXPECT_TRUE(copy.go_further());
+  EXPECT_EQ(record.number_of_questions, 1U);
+}
+
 TEST(Visitor, of_the_published_method)
 {
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(3, 1, 16));

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 
 namespace CSCD {
 
@@ -96,8 +97,8 @@ constexpr void check_skeletonization_visitor()
 /// call its functions by it.
 struct Any_skeletonization_visitor
 {
-  /// Refers to `visitor`.
-  template <class Visitor>
+  /// Refers to `visitor`; a copy refers to the visitor of the original.
+  template <class Visitor, class = std::enable_if_t<!std::is_same_v<Visitor, Any_skeletonization_visitor>>>
   explicit Any_skeletonization_visitor(Visitor& visitor)
       : on_stage_begin([&visitor](Skeletonization_stage stage) { visitor.on_stage_begin(stage); }),
         on_stage_end([&visitor](Skeletonization_stage stage) { visitor.on_stage_end(stage); }),
