@@ -40,10 +40,8 @@ public:
     // Borders run so that the faces that close them lie to their left.
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
       if (pairing.twin(h) == no_index) {
-        const Index origin = triangles.faces[h / 3][h % 3];
-        const Index target = triangles.faces[h / 3][(h + 1) % 3];
-        m_next[target] = origin;
-        m_previous[origin] = target;
+        m_next[triangles.target(h)] = triangles.origin(h);
+        m_previous[triangles.origin(h)] = triangles.target(h);
       }
     }
   }

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -79,9 +80,7 @@ private:
   {
     std::vector<Point> result;
     result.reserve(points.size());
-    for (const Vector3& point : points) {
-      result.emplace_back(point.x(), point.y(), point.z());
-    }
+    std::transform(points.begin(), points.end(), std::back_inserter(result), make_point<Point>);
     return result;
   }
 

@@ -8,6 +8,7 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -33,27 +34,21 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
   std::vector<Numbered_point> order;
   order.reserve(cloud.points.size());
   for (Index i = 0; i < cloud.points.size(); ++i) {
-    const Vector3 place = cloud.pose(cloud.points[i]);
-    order.emplace_back(Kernel::Point_3(place.x(), place.y(), place.z()), i);
+    order.emplace_back(make_point<Kernel::Point_3>(cloud.pose(cloud.points[i])), i);
   }
   using Map = CGAL::First_of_pair_property_map<Numbered_point>;
   CGAL::hilbert_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>());
   std::vector<Index> number(order.size());
-  std::vector<Vector3> points;
-  std::vector<Vector3> normals;
+  std::vector<Index> old_number(order.size());
   for (Index i = 0; i < order.size(); ++i) {
-    const Index old = order[i].second;
-    number[old] = i;
-    points.push_back(cloud.points[old]);
-    if (!cloud.normals.empty()) {
-      normals.push_back(cloud.normals[old]);
-    }
+    old_number[i] = order[i].second;
+    number[old_number[i]] = i;
   }
   for (Index& point : cloud.input_point) {
     point = number[point];
   }
-  cloud.points = std::move(points);
-  cloud.normals = std::move(normals);
+  cloud.points = reordered(cloud.points, old_number);
+  cloud.normals = reordered(cloud.normals, old_number);
 }
 
 CSCD_INLINE void merge_and_sort(std::vector<Vector3>&& points, std::vector<Vector3>&& normals, Point_cloud& cloud)

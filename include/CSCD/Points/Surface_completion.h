@@ -96,13 +96,7 @@ private:
   void compact()
   {
     Indexed_triangles& triangles = m_surface.triangles;
-    const std::vector<Index> old_number = compact_numbers(triangles.faces, triangles.points.size());
-    for (Index vertex = 0; vertex < old_number.size(); ++vertex) {
-      triangles.points[vertex] = triangles.points[old_number[vertex]];
-      m_surface.point_of_vertex[vertex] = m_surface.point_of_vertex[old_number[vertex]];
-    }
-    triangles.points.resize(old_number.size());
-    m_surface.point_of_vertex.resize(old_number.size());
+    m_surface.point_of_vertex = reordered(m_surface.point_of_vertex, remove_unused_points(triangles));
     triangles.first_hole_filling_face = triangles.faces.size();
     pair();
   }
@@ -178,12 +172,7 @@ private:
     const Canonical_order order = canonical_order(m_surface.triangles, m_surface.pairing, components);
     renumber(m_surface.triangles, order.vertices);
     pair();
-    std::vector<Index> point_of_vertex;
-    point_of_vertex.reserve(order.vertices.size());
-    for (Index old_number : order.vertices) {
-      point_of_vertex.push_back(m_surface.point_of_vertex[old_number]);
-    }
-    m_surface.point_of_vertex = std::move(point_of_vertex);
+    m_surface.point_of_vertex = reordered(m_surface.point_of_vertex, order.vertices);
   }
 
   void report_cut(const Vertex_loop& loop)

@@ -198,11 +198,8 @@ private:
 
   static std::vector<Vector3> posed(const Point_cloud& cloud)
   {
-    std::vector<Vector3> result;
-    result.reserve(cloud.points.size());
-    for (const Vector3& point : cloud.points) {
-      result.push_back(cloud.pose(point));
-    }
+    std::vector<Vector3> result(cloud.points.size());
+    std::transform(cloud.points.begin(), cloud.points.end(), result.begin(), cloud.pose);
     return result;
   }
 
@@ -454,9 +451,6 @@ private:
   /// The most edges of a gap: at random, seven points lie no more evenly than that.
   static constexpr std::size_t longest_gap = 7;
 
-  Index origin(Index h) const { return m_surface.faces[h / 3][h % 3]; }
-  Index target(Index h) const { return origin(Halfedge_pairing::next(h)); }
-
   /// The corners of the gap to the right of a halfedge on the border, clockwise; none if they are too many.
   std::vector<Index> gap_at(Index first)
   {
@@ -471,7 +465,7 @@ private:
     }
     for (Index& side : border) {
       m_is_met[side] = 1;
-      side = origin(side);
+      side = m_surface.origin(side);
     }
     return {border.rbegin(), border.rend()};
   }
@@ -479,13 +473,13 @@ private:
   /// The halfedge on the other side of the gap at the end of a halfedge on the border.
   Index next(Index halfedge) const
   {
-    const Index center = target(halfedge);
+    const Index center = m_surface.target(halfedge);
     const std::vector<Vector3>& points = m_surface.points;
     std::pair<double, Index> result{boost::math::double_constants::two_pi, no_index}; // by the angle of the gap
     for (const Index h : m_pairing.outgoing()[center]) {
       if (m_pairing.twin(h) == no_index) {
-        const double angle = angle_around(m_cloud.normals[center], points[origin(halfedge)] - points[center],
-                                          points[target(h)] - points[center]);
+        const double angle = angle_around(m_cloud.normals[center], points[m_surface.origin(halfedge)] - points[center],
+                                          points[m_surface.target(h)] - points[center]);
         result = std::min(result, {angle > 0 ? angle : angle + boost::math::double_constants::two_pi, h});
       }
     }

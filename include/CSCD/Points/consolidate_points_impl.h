@@ -13,6 +13,7 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ public:
     if (double(kept.size()) > largest_part * double(m_cloud.points.size())) {
       return std::move(m_cloud);
     }
-    std::vector<Vector3> points = at(kept);
+    std::vector<Vector3> points = reordered(m_cloud.points, kept);
     const bool is_averaged = m_noise > max_noise;
     if (is_averaged) {
       average(points);
@@ -195,7 +196,7 @@ private:
       return {};
     }
     // The lonely points come first.
-    std::vector<Vector3> points = at(lonely);
+    std::vector<Vector3> points = reordered(m_cloud.points, lonely);
     std::vector<char> is_lonely(m_cloud.points.size(), 0);
     for (Index point : lonely) {
       is_lonely[point] = 1;
@@ -249,7 +250,7 @@ private:
       }
     }
     assign_to_nearest(m_cloud.points, representative);
-    m_cloud = make_cloud(at(kept), kept, representative);
+    m_cloud = make_cloud(reordered(m_cloud.points, kept), kept, representative);
     return true;
   }
 
@@ -357,31 +358,14 @@ private:
     return result;
   }
 
-  /// The places of `points` of the cloud.
-  std::vector<Vector3> at(const std::vector<Index>& points) const
-  {
-    std::vector<Vector3> result;
-    result.reserve(points.size());
-    for (const Index point : points) {
-      result.push_back(m_cloud.points[point]);
-    }
-    return result;
-  }
-
   /// \param kept for every one of `points`, the point of the cloud that it came from
   /// \param representative for every point of the cloud, the number of one in `points`
   Point_cloud make_cloud(std::vector<Vector3>&& points, const std::vector<Index>& kept,
                          const std::vector<Index>& representative) const
   {
-    std::vector<Vector3> normals;
-    if (!m_cloud.normals.empty()) {
-      for (Index point : kept) {
-        normals.push_back(m_cloud.normals[point]);
-      }
-    }
     Point_cloud result;
     result.normalization = m_cloud.normalization.then(normalize_extent(points));
-    merge_and_sort(std::move(points), std::move(normals), result);
+    merge_and_sort(std::move(points), reordered(m_cloud.normals, kept), result);
     sort_canonically(result);
     const std::vector<Index> new_point = std::move(result.input_point);
     result.input_point.reserve(m_cloud.input_point.size());

@@ -21,16 +21,6 @@
 
 namespace CSCD::internal {
 
-/// The values at the places `order`; empty if `values` is.
-template <class Value>
-std::vector<Value> reordered(const std::vector<Value>& values, const std::vector<Index>& order)
-{
-  std::vector<Value> result(values.empty() ? 0 : order.size());
-  std::transform(order.begin(), order.begin() + std::ptrdiff_t(result.size()), result.begin(),
-                 [&values](Index place) { return values[place]; });
-  return result;
-}
-
 /// The components of faces that are connected through edges, numbered in the order of their first faces.
 struct Surface_components
 {
@@ -163,12 +153,7 @@ std::vector<Index> remove_components(Indexed_triangles& triangles, const Surface
   }
   triangles.faces.resize(kept);
   triangles.first_hole_filling_face = first_hole_filling_face;
-  std::vector<Index> old_number = compact_numbers(triangles.faces, triangles.points.size());
-  for (std::size_t i = 0; i < old_number.size(); ++i) {
-    triangles.points[i] = triangles.points[old_number[i]];
-  }
-  triangles.points.resize(old_number.size());
-  return old_number;
+  return remove_unused_points(triangles);
 }
 
 /// Reverses the faces of all components that enclose a negative volume: each component is then a body of its own.

@@ -114,6 +114,21 @@ inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& fac
   return old_number;
 }
 
+namespace internal {
+
+/// Removes the points of `triangles` that no face uses. Linear. \return the old numbers of the rest, in order
+inline std::vector<Index> remove_unused_points(Indexed_triangles& triangles)
+{
+  std::vector<Index> old_number = compact_numbers(triangles.faces, triangles.points.size());
+  for (std::size_t i = 0; i < old_number.size(); ++i) {
+    triangles.points[i] = Vector3(triangles.points[old_number[i]]);
+  }
+  triangles.points.resize(old_number.size());
+  return old_number;
+}
+
+} // namespace internal
+
 /// Sorts faces lexicographically, hole-filling faces after all others; linear where degrees are bounded.
 /// \pre the smallest corner of every face comes first
 inline void sort_faces(Indexed_triangles& triangles)
@@ -163,12 +178,10 @@ inline Vector3 on_grid(const Vector3& point)
 inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order)
 {
   std::vector<Index> number(order.size());
-  std::vector<Vector3> points(order.size());
   for (Index i = 0; i < order.size(); ++i) {
     number[order[i]] = i;
-    points[i] = triangles.points[order[i]];
   }
-  triangles.points = std::move(points);
+  triangles.points = internal::reordered(triangles.points, order);
   for (std::array<Index, 3>& face : triangles.faces) {
     for (Index& corner : face) {
       corner = number[corner];
@@ -398,9 +411,8 @@ namespace internal {
 [[noreturn]] inline void refuse_edge(const Checked_triangles& checked, Index halfedge)
 {
   const std::vector<std::array<Index, 3>>& faces = checked.triangles.faces;
-  const std::array<Index, 3>& owner = faces[halfedge / 3];
-  const Index source = owner[halfedge % 3];
-  const Index target = owner[(halfedge + 1) % 3];
+  const Index source = checked.triangles.origin(halfedge);
+  const Index target = checked.triangles.target(halfedge);
   const auto has_edge = [source, target](const std::array<Index, 3>& face) {
     return std::count(face.begin(), face.end(), source) + std::count(face.begin(), face.end(), target) == 2;
   };
@@ -420,17 +432,15 @@ namespace internal {
 /// \throw Input_error if one of the others has a coordinate that is not finite
 inline void keep_used_points(Checked_triangles& checked)
 {
-  std::vector<Vector3>& points = checked.triangles.points;
-  checked.input_number = compact_numbers(checked.triangles.faces, points.size());
-  checked.number_of_isolated_vertices = points.size() - checked.input_number.size();
-  for (std::size_t i = 0; i < checked.input_number.size(); ++i) {
-    points[i] = Vector3(points[checked.input_number[i]]);
-    if (!points[i].allFinite()) {
-      throw Input_error("vertex " + std::to_string(checked.input_number[i]) +
-                        " has a coordinate that is not finite: correct it or remove the vertex");
-    }
+  const std::size_t number_of_points = checked.triangles.points.size();
+  checked.input_number = remove_unused_points(checked.triangles);
+  checked.number_of_isolated_vertices = number_of_points - checked.input_number.size();
+  const std::vector<Vector3>& points = checked.triangles.points;
+  const auto bad = std::find_if(points.begin(), points.end(), [](const Vector3& p) { return !p.allFinite(); });
+  if (bad != points.end()) {
+    throw Input_error("vertex " + std::to_string(checked.input_number[std::size_t(bad - points.begin())]) +
+                      " has a coordinate that is not finite: correct it or remove the vertex");
   }
-  points.resize(checked.input_number.size());
 }
 
 } // namespace internal
@@ -495,7 +505,7 @@ inline std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, H
     if (is_visited[halfedge]) {
       continue;
     }
-    Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
+    Index vertex = triangles.origin(halfedge);
     if (has_fan[vertex]) {
       originals.push_back(vertex);
       triangles.points.push_back(Vector3(triangles.points[vertex]));

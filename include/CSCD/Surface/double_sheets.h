@@ -120,8 +120,8 @@ private:
     double loop;  ///< this and the chord; `no_loop` where that crosses no border
   };
 
-  Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
-  Index target(Index h) const { return origin(Halfedge_pairing::next(h)); }
+  Index origin(Index h) const { return m_triangles.origin(h); }
+  Index target(Index h) const { return m_triangles.target(h); }
   const Vector3& point(Index vertex) const { return m_triangles.points[vertex]; }
   double length(Index h) const { return (point(target(h)) - point(origin(h))).norm(); }
 
@@ -380,14 +380,13 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
     }
   }
   for (const Border_cycle& border : search.borders()) {
-    const Index first = border.halfedges.front();
-    if (copy[triangles.faces[first / 3][first % 3]] == no_index) {
+    if (copy[triangles.origin(border.halfedges.front())] == no_index) {
       continue;
     }
     ++(border.is_wide ? result.number_of_wide_borders : result.number_of_copied_borders);
     for (std::size_t i = 0; border.is_wide && i < border.halfedges.size(); ++i) {
-      const Index a = triangles.faces[border.halfedges[i] / 3][border.halfedges[i] % 3];
-      const Index b = triangles.faces[border.halfedges[i] / 3][(border.halfedges[i] + 1) % 3];
+      const Index a = triangles.origin(border.halfedges[i]);
+      const Index b = triangles.target(border.halfedges[i]);
       triangles.faces.push_back({b, a, copy[a]});
       triangles.faces.push_back({b, copy[a], copy[b]});
     }

@@ -85,6 +85,16 @@ private:
   std::vector<Value> m_values;
 };
 
+/// The values at the places `order`; empty if `values` is.
+template <class Value>
+std::vector<Value> reordered(const std::vector<Value>& values, const std::vector<Index>& order)
+{
+  std::vector<Value> result(values.empty() ? 0 : order.size());
+  std::transform(order.begin(), order.begin() + std::ptrdiff_t(result.size()), result.begin(),
+                 [&values](Index place) { return values[place]; });
+  return result;
+}
+
 /// A set of indices that is emptied in constant time, so that local work costs nothing of the size of the surface.
 class Epoch_marks
 {
