@@ -34,20 +34,12 @@ public:
   class Packing
   {
   public:
-    /// Takes the packing over.
-    explicit Packing(std::unique_ptr<const internal::Separator_packing> packing);
-    /// Moves.
-    Packing(Packing&& other) noexcept;
-    /// Moves.
-    Packing& operator=(Packing&& other) noexcept;
-    ~Packing();
-
     /// The packed separators, as positions in the list of all separators, by increasing cost.
     const std::vector<Index>& packed() const;
 
   private:
     friend class Local_policies;
-    std::unique_ptr<const internal::Separator_packing> m_packing;
+    std::shared_ptr<const internal::Separator_packing> m_packing;
   };
 
   /// \param detail how small a limb may be to get a branch

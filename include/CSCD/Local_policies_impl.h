@@ -12,18 +12,7 @@
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
 
-#include <algorithm>
-
 namespace CSCD {
-
-CSCD_INLINE Local_policies::Packing::Packing(std::unique_ptr<const internal::Separator_packing> packing)
-    : m_packing(std::move(packing))
-{
-}
-
-CSCD_INLINE Local_policies::Packing::Packing(Packing&& other) noexcept = default;
-CSCD_INLINE Local_policies::Packing& Local_policies::Packing::operator=(Packing&& other) noexcept = default;
-CSCD_INLINE Local_policies::Packing::~Packing() = default;
 
 CSCD_INLINE const std::vector<Index>& Local_policies::Packing::packed() const
 {
@@ -44,7 +33,9 @@ CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triang
                                                                     std::vector<Separator>& separators,
                                                                     Skeletonization_report& report) const
 {
-  return Packing(internal::pack_local_separators(solid, m_detail, separators, report));
+  Packing result;
+  result.m_packing = internal::pack_local_separators(solid, m_detail, separators, report);
+  return result;
 }
 
 CSCD_INLINE Embedded_skeleton Local_policies::build_skeleton(const Triangulated_solid& solid,
