@@ -128,8 +128,7 @@ struct Torus_traits
 
   const Surface& surface() const { return torus; }
   std::array<Input_descriptor, 1> descriptors(Index v) const { return {{{v / Torus::around, v % Torus::around}}}; }
-  Point to_input_point(const Vector3& p) const { return p; }
-  double to_input_length(double length) const { return length; }
+  CSCD::Normalization normalization() const { return {}; }
   void describe_input(CSCD::Skeletonization_report& report) const { report.genus = 1; }
 
   Torus torus;

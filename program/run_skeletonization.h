@@ -10,13 +10,10 @@
 #include "types.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Options.h>
-#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector3.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-
-#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,7 +48,7 @@ void take_surface(const Traits& traits, Input& input)
   std::vector<Index> place_of_vertex;
   for (Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
     const auto numbers = traits.descriptors(vertex);
-    const Vector3 place = traits.to_input_point(triangulation.point(vertex));
+    const Vector3 place = traits.normalization().to_input(triangulation.point(vertex));
     const auto nearest = std::min_element(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
       return (input.points[a] - place).squaredNorm() < (input.points[b] - place).squaredNorm();
     });
@@ -67,23 +64,6 @@ void take_surface(const Traits& traits, Input& input)
   }
 }
 
-/// The plain skeleton of a graph whose nodes hold numbers of vertices or points of the input.
-template <class Graph>
-Skeleton to_plain(const Graph& graph)
-{
-  Skeleton result = CSCD::internal::index_skeleton(graph);
-  for (const auto node : boost::make_iterator_range(vertices(graph))) {
-    result.vertices.emplace_back();
-    for (const auto number : graph[node].vertices) {
-      result.vertices.back().push_back(Index(number));
-    }
-  }
-  for (const auto edge : boost::make_iterator_range(edges(graph))) {
-    result.significance.push_back(graph[edge].significance);
-  }
-  return result;
-}
-
 /// Skeletonizes the surface of `traits` by the algorithms of `policies`.
 template <class Traits, class Policies>
 Skeletonization_result run_skeletonization(const Traits& traits, const Policies& policies,
@@ -94,14 +74,8 @@ Skeletonization_result run_skeletonization(const Traits& traits, const Policies&
   skeletonization.set_random_seed(settings.random_seed)
       .set_number_of_threads(settings.number_of_threads)
       .set_maximum_number_of_sources(settings.maximum_number_of_sources);
-  typename decltype(skeletonization)::Skeleton graph;
   Skeletonization_result result;
-  result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(graph);
-  result.skeleton = to_plain(graph);
-  for (auto separator : skeletonization.packed_separators()) {
-    result.skeleton.separators.push_back(
-        CSCD::internal::to_vectors(skeletonization.polyline(skeletonization.separators()[separator])));
-  }
+  result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(result.skeleton);
   return result;
 }
 

@@ -377,7 +377,7 @@ TEST(Graph_skeleton, weights_of_edges_are_lengths)
   ASSERT_EQ(surface.number_of_halfedges(), 4U);
   double sum = 0;
   for (CSCD::Index h = 0; h < 4; ++h) {
-    sum += traits.to_input_length(surface.length(h));
+    sum += traits.normalization().unit * surface.length(h);
     EXPECT_EQ(surface.twin(surface.twin(h)), h);
     EXPECT_EQ(surface.origin(h), surface.target(surface.twin(h)));
     EXPECT_TRUE(surface.is_adjacent(surface.origin(h), surface.target(h)));

@@ -7,7 +7,6 @@
 #ifndef CSCD_VIEWER_WRITE_HTML_PAGE_H
 #define CSCD_VIEWER_WRITE_HTML_PAGE_H
 
-#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -16,7 +15,9 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -68,7 +69,8 @@ void write_html_page(std::ostream& out, const TriangleMesh& mesh, const Skeleton
   internal::Html_page_content content{
       internal::assigned_surface(mesh, skeleton), internal::index_skeleton(skeleton), {}};
   for (const std::vector<Point>& separator : separators) {
-    content.skeleton.separators.push_back(internal::to_vectors(separator));
+    std::transform(separator.begin(), separator.end(), std::back_inserter(content.skeleton.separators.emplace_back()),
+                   internal::to_vector_3<Point>);
   }
   internal::write_html_page(out, content, title);
 }

@@ -10,12 +10,13 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Options.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Branch_hierarchy.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Traits/to_input.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
@@ -149,18 +150,20 @@ public:
   }
 
   /// Builds the skeleton and writes it to `skeleton`, which is cleared first.
-  /// \tparam OutputSkeleton a model of `CurveSkeletonGraph`
+  /// \tparam OutputSkeleton a model of `CurveSkeletonGraph`, or the plain `CSCD::Skeleton` where descriptors are numbers
   /// \pre `pack_separators()` has been called
   /// \throw Cancelled_error if the visitor stops the work; `skeleton` is then as it was
   template <class OutputSkeleton>
   void convert_to_skeleton(OutputSkeleton& skeleton)
   {
     CGAL_precondition(m_packing.has_value());
-    check_curve_skeleton_graph<OutputSkeleton>();
     OutputSkeleton result;
     Stage_runner(m_visitor, m_report.seconds)(Skeletonization_stage::build_skeleton, [&] {
-      result = make_graph<OutputSkeleton>(m_policies.build_skeleton(m_traits->surface(), std::as_const(m_separators),
-                                                                    std::as_const(*m_packing), m_report));
+      const Embedded_skeleton embedded = m_policies.build_skeleton(m_traits->surface(), std::as_const(m_separators),
+                                                                   std::as_const(*m_packing), m_report);
+      result = make_output<OutputSkeleton>(embedded);
+      m_report.warnings = m_input_report.warnings;
+      describe_skeleton(embedded.graph, m_report);
     });
     skeleton = std::move(result);
   }
@@ -193,12 +196,9 @@ public:
   /// The closed curve of `separator` in the coordinates of the input; the first point does not stand again at the end.
   std::vector<Point> polyline(const Separator& separator) const
   {
-    std::vector<Vector3> points;
-    internal::curve_points(m_traits->surface().triangulation(), separator, points);
     std::vector<Point> result;
-    result.reserve(points.size());
-    for (const Vector3& point : points) {
-      result.push_back(m_traits->to_input_point(point));
+    for (const Vector3& point : points_of(separator)) {
+      result.push_back(internal::make_point<Point>(point));
     }
     return result;
   }
@@ -217,36 +217,36 @@ private:
 
   using Stage_runner = internal::Stage_runner<std::remove_reference_t<Visitor>>;
 
-  template <class OutputSkeleton>
-  OutputSkeleton make_graph(const Embedded_skeleton& skeleton)
+  std::vector<Vector3> points_of(const Separator& separator) const
   {
-    const Skeleton_builder& builder = skeleton.graph;
-    OutputSkeleton result;
-    std::vector<decltype(add_vertex(result))> vertex;
-    vertex.reserve(builder.size());
-    for (Index node = 0; node < builder.size(); ++node) {
-      vertex.push_back(add_vertex(result));
-      auto& bundle = result[vertex[node]];
-      bundle.point = m_traits->to_input_point(builder[node].position);
-      if constexpr (has_radius_v<OutputSkeleton>) {
-        bundle.radius = m_traits->to_input_length(skeleton.radius[node]);
+    return internal::to_input(separator, m_traits->surface().triangulation(), m_traits->normalization());
+  }
+
+  template <class OutputSkeleton>
+  OutputSkeleton make_output(const Embedded_skeleton& embedded) const
+  {
+    constexpr bool is_plain = std::is_same_v<OutputSkeleton, CSCD::Skeleton>;
+    std::vector<Input_descriptor> descriptors;
+    CSCD::Skeleton skeleton =
+        internal::to_input(embedded, m_traits->normalization(), [&](Index vertex, const auto& add) {
+          for (const auto& descriptor : m_traits->descriptors(vertex)) {
+            if constexpr (is_plain) {
+              add(Index(descriptor));
+            } else {
+              add(Index(descriptors.size()));
+              descriptors.push_back(descriptor);
+            }
+          }
+        });
+    if constexpr (is_plain) {
+      for (const Index separator : m_packing->packed()) {
+        skeleton.separators.push_back(points_of(m_separators[separator]));
       }
-      if constexpr (has_is_opening_v<OutputSkeleton>) {
-        bundle.is_opening = builder[node].is_opening;
-      }
+      return skeleton;
+    } else {
+      check_curve_skeleton_graph<OutputSkeleton>();
+      return internal::make_skeleton_graph<OutputSkeleton, Point>(skeleton, descriptors);
     }
-    for (Index v = 0; v < skeleton.node_of_vertex.size(); ++v) {
-      for (const auto& descriptor : m_traits->descriptors(v)) {
-        result[vertex[skeleton.node_of_vertex[v]]].vertices.push_back(descriptor);
-      }
-    }
-    for (const auto& [a, b] : builder.edges()) {
-      add_edge(vertex[a], vertex[b], result);
-    }
-    compute_significance(result);
-    m_report.warnings = m_input_report.warnings;
-    describe_skeleton(builder, m_report);
-    return result;
   }
 
   std::shared_ptr<const Traits> m_traits; ///< not owned if the user constructed it

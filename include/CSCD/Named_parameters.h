@@ -227,14 +227,6 @@ unsigned threads_of_tag(unsigned number)
   return is_parallel ? number : 1;
 }
 
-/// The number of threads that `ConcurrencyTag` and `np` ask for; any integer type will do.
-template <class ConcurrencyTag, class NamedParameters>
-unsigned requested_threads(const NamedParameters& np)
-{
-  return threads_of_tag<ConcurrencyTag>(
-      unsigned(parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_threads), 0U)));
-}
-
 /// The options that `ConcurrencyTag` and `np` give. Any integer type will do for a number.
 template <class ConcurrencyTag, class NamedParameters>
 Options to_options(const NamedParameters& np)
@@ -242,15 +234,18 @@ Options to_options(const NamedParameters& np)
   using parameters::choose_parameter;
   using parameters::get_parameter;
   Options options;
-  options.random_seed =
-      unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), options.random_seed));
-  options.number_of_threads = requested_threads<ConcurrencyTag>(np);
-  options.maximum_number_of_sources = std::size_t(
-      choose_parameter(get_parameter(np, internal_np::maximum_number_of_sources), options.maximum_number_of_sources));
-  options.detail = double(choose_parameter(get_parameter(np, internal_np::detail), options.detail));
-  options.node_spacing = double(choose_parameter(get_parameter(np, internal_np::node_spacing), options.node_spacing));
+  const auto choose = [&np](auto& option, auto name) {
+    option = std::decay_t<decltype(option)>(choose_parameter(get_parameter(np, name), option));
+  };
+  choose(options.random_seed, CGAL::internal_np::random_seed);
+  choose(options.maximum_number_of_sources, internal_np::maximum_number_of_sources);
+  choose(options.detail, internal_np::detail);
+  choose(options.node_spacing, internal_np::node_spacing);
   options.border_treatment =
       choose_parameter(get_parameter(np, internal_np::border_treatment), options.border_treatment);
+  options.number_of_threads = 0;
+  choose(options.number_of_threads, internal_np::number_of_threads);
+  options.number_of_threads = threads_of_tag<ConcurrencyTag>(options.number_of_threads);
   return options;
 }
 

@@ -10,7 +10,6 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
-#include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -136,8 +135,7 @@ CSCD::Skeleton index_skeleton(const Skeleton& skeleton)
   boost::unordered_map<Vertex, Index> index;
   for (const Vertex v : boost::make_iterator_range(vertices(skeleton))) {
     index.emplace(v, Index(result.points.size()));
-    const auto& point = skeleton[v].point;
-    result.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+    result.points.push_back(to_vector_3(skeleton[v].point));
     if constexpr (has_is_opening_v<Skeleton>) {
       result.is_opening.push_back(skeleton[v].is_opening ? 1 : 0);
     }

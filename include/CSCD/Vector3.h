@@ -6,7 +6,12 @@
 #ifndef CSCD_VECTOR3_H
 #define CSCD_VECTOR3_H
 
+#include <CGAL/double.h>
+#include <CGAL/float.h>
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -18,18 +23,13 @@ namespace CSCD {
 // NOLINTBEGIN(readability-identifier-naming): the names of Eigen, see below
 /// Points and vectors of the normalized surface. Members are named as those of `Eigen::Vector3d`, whose expression
 /// templates would be a third of the functions that are compiled for a file that calls the library.
-class Vector3
+class Vector3 : public std::array<double, 3>
 {
 public:
-  /// Iterates over the coordinates.
-  using iterator = double*;
-  /// Iterates over the coordinates.
-  using const_iterator = const double*;
-
   /// The zero vector.
-  constexpr Vector3() = default;
+  constexpr Vector3() : array{} {}
   /// The vector of these coordinates.
-  constexpr Vector3(double x, double y, double z) : m_coordinates{x, y, z} {}
+  constexpr Vector3(double x, double y, double z) : array{x, y, z} {}
 
   /// The vector whose coordinates are all `value`.
   static constexpr Vector3 Constant(double value) { return {value, value, value}; }
@@ -43,37 +43,17 @@ public:
   static constexpr Vector3 UnitZ() { return {0, 0, 1}; }
 
   /// The x coordinate.
-  constexpr double x() const { return m_coordinates[0]; }
+  constexpr double x() const { return (*this)[0]; }
   /// The y coordinate.
-  constexpr double y() const { return m_coordinates[1]; }
+  constexpr double y() const { return (*this)[1]; }
   /// The z coordinate.
-  constexpr double z() const { return m_coordinates[2]; }
+  constexpr double z() const { return (*this)[2]; }
   /// The x coordinate.
-  constexpr double& x() { return m_coordinates[0]; }
+  constexpr double& x() { return (*this)[0]; }
   /// The y coordinate.
-  constexpr double& y() { return m_coordinates[1]; }
+  constexpr double& y() { return (*this)[1]; }
   /// The z coordinate.
-  constexpr double& z() { return m_coordinates[2]; }
-  /// The coordinate along an axis, 0 to 2.
-  template <class Axis>
-  constexpr double operator[](Axis axis) const
-  {
-    return m_coordinates[axis];
-  }
-  /// The coordinate along an axis, 0 to 2.
-  template <class Axis>
-  constexpr double& operator[](Axis axis)
-  {
-    return m_coordinates[axis];
-  }
-  /// The first coordinate.
-  constexpr const double* begin() const { return m_coordinates; }
-  /// The place after the last coordinate.
-  constexpr const double* end() const { return m_coordinates + 3; }
-  /// The first coordinate.
-  constexpr double* begin() { return m_coordinates; }
-  /// The place after the last coordinate.
-  constexpr double* end() { return m_coordinates + 3; }
+  constexpr double& z() { return (*this)[2]; }
 
   /// Adds `v`.
   constexpr Vector3& operator+=(const Vector3& v) { return *this = *this + v; }
@@ -108,13 +88,6 @@ public:
   {
     return {v.x() / divisor, v.y() / divisor, v.z() / divisor};
   }
-  /// Whether all coordinates are equal.
-  friend constexpr bool operator==(const Vector3& a, const Vector3& b)
-  {
-    return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
-  }
-  /// Whether some coordinates differ.
-  friend constexpr bool operator!=(const Vector3& a, const Vector3& b) { return !(a == b); }
 
   /// The scalar product.
   constexpr double dot(const Vector3& v) const { return x() * v.x() + y() * v.y() + z() * v.z(); }
@@ -172,17 +145,14 @@ public:
   constexpr double maxCoeff() const { return std::max(x(), std::max(y(), z())); }
   /// Whether all coordinates are finite.
   bool allFinite() const { return std::isfinite(x()) && std::isfinite(y()) && std::isfinite(z()); }
-
-private:
-  double m_coordinates[3] = {0, 0, 0};
 };
 
 // NOLINTEND(readability-identifier-naming)
 
 /// The order by x, then by y, then by z.
-constexpr bool is_lexicographically_less(const Vector3& a, const Vector3& b)
+inline bool is_lexicographically_less(const Vector3& a, const Vector3& b)
 {
-  return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+  return a < b;
 }
 
 namespace internal {
@@ -197,6 +167,13 @@ constexpr Vector3 triangle_vector(const Vector3& a, const Vector3& b, const Vect
 inline double triangle_area(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return triangle_vector(a, b, c).norm() / 2;
+}
+
+/// The coordinates of a point or vector of any type.
+template <class Triple>
+Vector3 to_vector_3(const Triple& triple)
+{
+  return {CGAL::to_double(triple.x()), CGAL::to_double(triple.y()), CGAL::to_double(triple.z())};
 }
 
 /// `v` as a point of any type that is constructible from three coordinates.

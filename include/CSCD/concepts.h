@@ -13,6 +13,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
@@ -32,12 +33,11 @@ class Point_complex;
 ///
 /// | expression | value |
 /// |---|---|
-/// | `T::Point`, `T::Input_descriptor` | the points of the input, and the descriptor of a vertex or point there |
+/// | `T::Point`, `T::Input_descriptor` | the points of the input, of three coordinates, and what names a vertex there |
 /// | `T::Surface` | the type of the surface, a model of `SkeletonizationSurface`, or `Spatial_graph` |
 /// | `t.surface()` | the surface: a `const T::Surface&` |
 /// | `t.descriptors(v)` | the input elements represented by vertex `v`; may be empty |
-/// | `t.to_input_point(p)` | a point of the surface in the coordinates of the input |
-/// | `t.to_input_length(l)` | a length on the surface in the unit of the input |
+/// | `t.normalization()` | from the coordinates of the input to those of the surface: a `Normalization` |
 /// | `t.describe_input(report)` | writes counts, genus and warnings to a `Skeletonization_report&` |
 ///
 /// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Voxel_surface_traits`, `Point_set_traits`,
@@ -66,10 +66,8 @@ constexpr void check_skeletonization_traits()
                 "CSCD: SkeletonizationTraits requires t.surface() const, a const T::Surface&");
   static_assert(CSCD_GIVES(typename T::Input_descriptor, const T&, *std::begin(t.descriptors(Index()))),
                 "CSCD: SkeletonizationTraits requires t.descriptors(v) const, a range of T::Input_descriptor");
-  static_assert(CSCD_GIVES(typename T::Point, const T&, t.to_input_point(Vector3())),
-                "CSCD: SkeletonizationTraits requires t.to_input_point(Vector3) const, convertible to T::Point");
-  static_assert(CSCD_GIVES(double, const T&, t.to_input_length(1.)),
-                "CSCD: SkeletonizationTraits requires t.to_input_length(double) const, convertible to double");
+  static_assert(CSCD_GIVES(Normalization, const T&, t.normalization()),
+                "CSCD: SkeletonizationTraits requires t.normalization() const, a Normalization");
   static_assert(CSCD_IS_VALID(const T&, t.describe_input(std::declval<Skeletonization_report&>())),
                 "CSCD: SkeletonizationTraits requires t.describe_input(report) const, of a Skeletonization_report&");
 }

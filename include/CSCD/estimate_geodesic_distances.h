@@ -131,18 +131,12 @@ private:
   using Collected_triangles = internal::Collected_triangles<Vertex_descriptor>;
 
   Geodesic_distance_estimator(const TriangleMesh& mesh, Collected_triangles&& collected, double time_step_factor)
-      : m_mesh(&mesh), m_vertex_numbers(get(CGAL::dynamic_vertex_property_t<Index>(), mesh)),
+      : m_mesh(&mesh), m_vertex_numbers(internal::vertex_numbers(mesh, collected.descriptors)),
         m_face_numbers(get(CGAL::dynamic_face_property_t<Index>(), mesh)),
         m_normalization(normalize_extent(collected.triangles.points)),
         m_distances(std::move(collected.triangles), collected.pairing, time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
-    for (const Vertex_descriptor vertex : vertices(mesh)) {
-      put(m_vertex_numbers, vertex, no_index);
-    }
-    for (Index i = 0; i < collected.descriptors.size(); ++i) {
-      put(m_vertex_numbers, collected.descriptors[i], i);
-    }
     Index number_of_faces = 0;
     for (const Face_descriptor face : faces(mesh)) {
       put(m_face_numbers, face, number_of_faces++);
@@ -203,10 +197,6 @@ private:
   Normalization m_normalization;
   internal::Prepared_distances m_distances;
 };
-
-} // namespace CSCD
-
-namespace CSCD {
 
 /// estimates the geodesic distance of every vertex of a triangle mesh from the nearest one of some sources.
 ///

@@ -62,12 +62,9 @@ public:
   ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
   ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{time_step_factor}
-  ///     \cgalParamDescription{the time of heat flow in squared mean edge lengths: longer is smoother and less exact}
-  ///     \cgalParamType{double, positive}
-  ///     \cgalParamDefault{1}
-  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  ///
+  /// `time_step_factor` is as for a mesh.
   ///
   /// \throw Input_error naming the point and the remedy if a coordinate is not finite, or if the points do not sample a
   ///        surface: fewer than four different ones, all on a line, none of them joined
@@ -138,7 +135,7 @@ private:
   void write(const std::vector<double>& field, PointDistanceMap distances) const
   {
     for (Index i = 0; i < m_vertex.size(); ++i) {
-      put(distances, m_numbering.descriptor(i), m_unit * std::max(field[m_vertex[i]], 0.));
+      put(distances, m_numbering.descriptors[i], m_unit * std::max(field[m_vertex[i]], 0.));
     }
   }
 
@@ -147,10 +144,6 @@ private:
   std::vector<Index> m_vertex; // of the complex, for every point in the order of iteration
   internal::Point_numbering<PointRange> m_numbering;
 };
-
-} // namespace CSCD
-
-namespace CSCD {
 
 /// estimates the geodesic distance of every point of a set from the nearest one of some sources, along the surface that
 /// the points sample.

@@ -75,27 +75,9 @@ auto graph_point_map([[maybe_unused]] const Graph& graph, [[maybe_unused]] const
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
 ///     \cgalParamDefault{the member `point` of the vertices, as in `Skeleton_graph`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{the seed for the order of trying vertices as sources}
-///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number_of_sources}
-///     \cgalParamDescription{bounds the number of sources that start a search for a separator}
-///     \cgalParamType{std::size_t}
-///     \cgalParamDefault{no bound: the shape decides}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_threads}
-///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
-///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0: as many as TBB allows}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is informed of progress and may stop the work}
-///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
-///     \cgalParamDefault{`Default_skeletonization_visitor`}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// `random_seed`, `maximum_number_of_sources`, `number_of_threads` and `visitor` are as for a mesh.
 ///
 /// \return counts, timings and warnings
 /// \throw Input_error if `graph` cannot be skeletonized; the message names the element and the remedy

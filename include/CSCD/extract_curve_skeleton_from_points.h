@@ -47,49 +47,16 @@ namespace CSCD {
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
 ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{accepted and not used: coordinates are computed with as `double`}
-///     \cgalParamType{any}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{the seed for the order of trying points as sources}
-///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number_of_sources}
-///     \cgalParamDescription{bounds the number of sources that start a search for a separator}
-///     \cgalParamType{std::size_t}
-///     \cgalParamDefault{no bound: the shape decides}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_threads}
-///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
-///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0: as many as TBB allows}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{policies}
 ///     \cgalParamDescription{the algorithms of the stages; `Published_policies` for the method as published. Policies
 ///       that work on a `Point_solid` get the points as they are, without a surface made of them}
 ///     \cgalParamType{a model of `SkeletonizationPolicies`}
 ///     \cgalParamDefault{`Local_policies`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{detail}
-///     \cgalParamDescription{how small a limb may be to get a branch, from 0 to 1: see `Detail`; not with `policies`}
-///     \cgalParamType{double}
-///     \cgalParamDefault{0.5}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{node_spacing}
-///     \cgalParamDescription{the length that edges may have, in radii of the body, where nodes are left out of straight
-///                           branches; not with `policies`}
-///     \cgalParamType{double}
-///     \cgalParamDefault{0: only nodes that no point belongs to are left out}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is informed of progress and may stop the work}
-///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
-///     \cgalParamDefault{`Default_skeletonization_visitor`}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// `geom_traits`, `random_seed`, `maximum_number_of_sources`, `number_of_threads`, `detail`, `node_spacing` and
+/// `visitor` are as for a mesh.
 ///
 /// \return counts, timings and warnings; `reconstruction` says how the surface was made
 /// \throw Input_error if no surface can be made of `points`; the message names the point and the remedy
@@ -111,13 +78,11 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
       std::conditional_t<is_skeletonization_policies_v<std::decay_t<decltype(policies)>, Point_solid>,
                          Point_set_traits<PointRange, Point_map>, Reconstructed_surface_traits<PointRange, Point_map>>;
   const auto make_traits = [&] {
-    return internal::with_normal_map(points, np, [&](const auto&... normal_map) {
-      if constexpr (!std::is_same_v<Traits, Reconstructed_surface_traits<PointRange, Point_map>>) {
-        return Traits(points, point_map, normal_map...);
-      } else if constexpr (sizeof...(normal_map) == 0) {
-        return Traits(points, point_map, internal::No_normals(), internal::requested_threads<ConcurrencyTag>(np));
+    return internal::with_normal_map(points, np, [&](const auto& normal_map) {
+      if constexpr (std::is_same_v<typename Traits::Surface, Point_solid>) {
+        return Traits(points, point_map, normal_map);
       } else {
-        return Traits(points, point_map, normal_map..., internal::requested_threads<ConcurrencyTag>(np));
+        return Traits(points, point_map, normal_map, internal::to_options<ConcurrencyTag>(np).number_of_threads);
       }
     });
   };

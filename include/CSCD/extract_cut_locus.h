@@ -37,13 +37,7 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
   if (sources.empty()) {
     throw Input_error("there is no source: give at least one vertex");
   }
-  auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
-  for (const VertexDescriptor vertex : vertices(mesh)) {
-    put(numbers, vertex, no_index);
-  }
-  for (Index i = 0; i < descriptors.size(); ++i) {
-    put(numbers, descriptors[i], i);
-  }
+  const auto numbers = vertex_numbers(mesh, descriptors);
   std::vector<Index> result;
   for (const VertexDescriptor source : sources) {
     result.push_back(get(numbers, source));

@@ -71,12 +71,9 @@ namespace CSCD {
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{pi / 4}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{minimum_branch_length}
-///     \cgalParamDescription{shorter branches are dropped; relative to the distance of the farthest point}
-///     \cgalParamType{double}
-///     \cgalParamDefault{0.03}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// `minimum_branch_length` is as for a mesh.
 ///
 /// \throw Input_error if `points` do not sample a surface, if `sources` is empty, if one is not a point of the set or
 ///        lies off the surface of the others, or if distances are missing; the message names the point and the remedy
@@ -104,19 +101,19 @@ void extract_cut_locus(const PointRange& points, const std::vector<Point_descrip
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::distance_map_t>::value) {
     const auto map = parameters::get_parameter(np, internal_np::distance_map);
     distances.resize(cloud.points.size());
-    for (std::size_t i = 0; i < numbering.size(); ++i) {
-      const double distance = CGAL::to_double(get(map, numbering.descriptor(i))) / cloud.normalization.unit;
+    for (std::size_t i = 0; i < numbering.descriptors.size(); ++i) {
+      const double distance = CGAL::to_double(get(map, numbering.descriptors[i])) / cloud.normalization.unit;
       distances[cloud.input_point[i]] = internal::checked_distance(distance, "point", i);
     }
   }
   const auto result = internal::extract_cut_locus_of_points(
       cloud, source_numbers, std::move(distances), internal::cut_locus_settings(np, internal::point_cut_criterion()));
   std::vector<std::size_t> first_number(cloud.points.size(), 0); // of every point of the cloud
-  for (std::size_t i = numbering.size(); i-- > 0;) {
+  for (std::size_t i = numbering.descriptors.size(); i-- > 0;) {
     first_number[cloud.input_point[i]] = i;
   }
   internal::write_cut_locus(
-      result, cloud.normalization, [&](Index point) { return numbering.descriptor(first_number[point]); }, cut_locus);
+      result, cloud.normalization, [&](Index point) { return numbering.descriptors[first_number[point]]; }, cut_locus);
 }
 
 /// extracts the cut locus of the point `source`; as above.

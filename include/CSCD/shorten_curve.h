@@ -127,15 +127,9 @@ private:
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type;
 
   Curve_shortening(const TriangleMesh& mesh, Collected_triangles&& collected)
-      : m_numbers(get(CGAL::dynamic_vertex_property_t<Index>(), mesh)), m_surface(closed(collected)),
+      : m_numbers(internal::vertex_numbers(mesh, collected.descriptors)), m_surface(closed(collected)),
         m_shorten(m_surface, m_surface.first_hole_filling_face())
   {
-    for (const Vertex_descriptor vertex : vertices(mesh)) {
-      put(m_numbers, vertex, no_index);
-    }
-    for (Index i = 0; i < collected.descriptors.size(); ++i) {
-      put(m_numbers, collected.descriptors[i], i);
-    }
   }
 
   static Triangulated_surface closed(Collected_triangles& collected)

@@ -12,10 +12,10 @@
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
-#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Traits/to_input.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/skeletonize.h>
@@ -26,44 +26,6 @@
 #include <memory>
 #include <utility>
 #include <vector>
-
-namespace CSCD::internal {
-
-/// The skeleton `embedded` of `solid` in the coordinates of the input.
-inline Skeleton to_input(const Embedded_skeleton& embedded, const Triangulated_solid& solid)
-{
-  const Normalization& normalization = solid.normalization();
-  const Skeleton_builder& builder = embedded.graph;
-  Skeleton result;
-  for (Index node = 0; node < builder.size(); ++node) {
-    result.points.push_back(normalization.to_input(builder[node].position));
-    result.radii.push_back(embedded.radius[node] * normalization.unit);
-    result.is_opening.push_back(builder[node].is_opening ? 1 : 0);
-  }
-  result.edges = builder.edges();
-  result.is_joined.assign(result.edges.size(), 0);
-  result.significance = significance_levels(result);
-  result.vertices.resize(builder.size());
-  for (Index vertex = 0; vertex < embedded.node_of_vertex.size(); ++vertex) {
-    for (const Index input : solid.input_vertices(vertex)) {
-      result.vertices[embedded.node_of_vertex[vertex]].push_back(input);
-    }
-  }
-  return result;
-}
-
-/// The curve of `separator` in the coordinates of the input.
-inline std::vector<Vector3> to_input(const Separator& separator, const Triangulated_solid& solid)
-{
-  std::vector<Vector3> points;
-  curve_points(solid.triangulation(), separator, points);
-  for (Vector3& point : points) {
-    point = solid.normalization().to_input(point);
-  }
-  return points;
-}
-
-} // namespace CSCD::internal
 
 namespace CSCD {
 
@@ -97,9 +59,14 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector3> points, std:
   run_stage(Skeletonization_stage::build_skeleton, [&] {
     const Embedded_skeleton embedded = internal::embed_skeleton(solid, separators, packing->packed(),
                                                                 packing->cut_graph(), options.node_spacing, report);
-    result = internal::to_input(embedded, solid);
+    result = internal::to_input(embedded, solid.normalization(), [&](Index vertex, const auto& add) {
+      for (const Index input : solid.input_vertices(vertex)) {
+        add(input);
+      }
+    });
     for (const Index separator : packing->packed()) {
-      result.separators.push_back(internal::to_input(separators[separator], solid));
+      result.separators.push_back(
+          internal::to_input(separators[separator], solid.triangulation(), solid.normalization()));
     }
     describe_skeleton(embedded.graph, report);
   });

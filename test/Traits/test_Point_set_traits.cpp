@@ -89,10 +89,9 @@ TEST(Point_set_traits, know_the_body)
 {
   const Points points = CSCD::test::to_points<Point>(sampled(CSCD::test::torus(3, 1, 48), 4000, 1));
   const Traits traits(points);
-  const double unit = traits.to_input_length(1);
-  const Point center = traits.to_input_point(Vector3::Zero());
+  const double unit = traits.normalization().unit;
   const auto normalized = [&](double x, double y, double z) {
-    return Vector3((x - center.x()) / unit, (y - center.y()) / unit, (z - center.z()) / unit);
+    return traits.normalization().from_input(Vector3(x, y, z));
   };
   EXPECT_TRUE(traits.surface().is_inside(normalized(3, 0, 0)));
   EXPECT_FALSE(traits.surface().is_inside(normalized(0, 0, 0)));

@@ -8,6 +8,7 @@
 
 #include "Point_archetype.h"
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector3.h>
 
 #include <array>
@@ -42,8 +43,7 @@ public:
 
   const Surface& surface() const { return m_surface; }
   std::array<Input_descriptor, 1> descriptors(Index vertex) const { return {Input_descriptor(vertex)}; }
-  Point to_input_point(const Vector3& p) const { return {2 * p.x(), 2 * p.y(), 2 * p.z()}; }
-  double to_input_length(double length) const { return 2 * length; }
+  Normalization normalization() const { return {Vector3::Zero(), 2}; }
   void describe_input(Skeletonization_report& report) const
   {
     report.number_of_input_vertices = std::size_t(m_surface.triangulation().number_of_vertices());

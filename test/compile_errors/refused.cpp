@@ -101,8 +101,7 @@ struct Traits_without_descriptors
   {
   };
   const Surface& surface() const;
-  Point to_input_point(const CSCD::Vector3& p) const;
-  double to_input_length(double length) const;
+  CSCD::Normalization normalization() const;
   void describe_input(CSCD::Skeletonization_report& report) const;
 };
 

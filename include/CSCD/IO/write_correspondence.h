@@ -10,9 +10,6 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
-
 #include <cstddef>
 #include <ostream>
 #include <type_traits>
@@ -41,17 +38,6 @@ std::vector<Index> vertices_of_file(const std::vector<Vector3>& points_of_file,
 std::vector<Vertex_label> labels_of_file(const std::vector<Vector3>& points_of_file,
                                          const std::vector<Vector3>& points_of_mesh,
                                          const std::vector<Vertex_label>& labels);
-
-/// The points of a range as vectors.
-template <class PointRange>
-std::vector<Vector3> to_vectors(const PointRange& points)
-{
-  std::vector<Vector3> result;
-  for (const auto& p : points) {
-    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-  return result;
-}
 
 } // namespace internal
 

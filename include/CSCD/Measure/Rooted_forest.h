@@ -10,9 +10,6 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector3.h>
 
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
-
 #include <array>
 #include <vector>
 
@@ -80,9 +77,7 @@ std::vector<Index> find_roots(const Skeleton& skeleton, Root_rule rule)
 template <class Skeleton, class Point>
 std::vector<Index> find_roots(const Skeleton& skeleton, const Point& point)
 {
-  return internal::find_roots(
-      internal::index_skeleton(skeleton),
-      Vector3(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())));
+  return internal::find_roots(internal::index_skeleton(skeleton), internal::to_vector_3(point));
 }
 
 } // namespace CSCD

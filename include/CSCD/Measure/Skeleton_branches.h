@@ -13,8 +13,6 @@
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -132,8 +130,7 @@ Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skel
   result.points.reserve(num_vertices(mesh));
   for (const Vertex v : boost::make_iterator_range(vertices(mesh))) {
     number.emplace(v, Index(number.size()));
-    const auto& p = get(point_map, v);
-    result.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    result.points.push_back(to_vector_3(get(point_map, v)));
   }
   for (const auto f : boost::make_iterator_range(faces(mesh))) {
     result.triangles.push_back(read_corners(mesh, boost::make_assoc_property_map(number), f, result.triangles.size()));

@@ -74,10 +74,7 @@ Measured_input measured_input(const Surface& surface, const NamedParameters& np)
     auto collected = collect_triangles(surface, vertex_point_map(surface, np));
     result = {std::move(collected.triangles), std::move(collected.pairing), {}, true};
   } else {
-    const auto map = point_map(surface, np);
-    for (const auto& element : surface) {
-      result.points.push_back(to_vector_3(get(map, element)));
-    }
+    result.points = coordinates_of(surface, point_map(surface, np));
   }
   return result;
 }

@@ -12,10 +12,6 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/Iterator_range.h>
-#include <CGAL/double.h>
-#include <CGAL/float.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
@@ -57,68 +53,42 @@ namespace internal {
 
 using CSCD::Point_descriptor;
 
-/// Calls `function(number, descriptor)` for every point of a range, in the order of iteration.
-template <class PointRange, class Function>
-void for_each_descriptor(const PointRange& points, const Function& function)
+/// The descriptors of the points of a range, in the order of iteration.
+template <class PointRange>
+std::vector<Point_descriptor<PointRange>> descriptors_of(const PointRange& points)
 {
-  std::size_t number = 0;
+  std::vector<Point_descriptor<PointRange>> result;
   for ([[maybe_unused]] const auto& element : points) {
     if constexpr (Is_range_of_indices<PointRange>::value) {
-      function(number++, element);
+      result.push_back(element);
     } else {
-      function(number, number);
-      ++number;
+      result.push_back(result.size());
     }
   }
+  return result;
 }
 
-/// The numbers of the points of a range in the order of iteration, and the descriptors of numbers.
+/// The points of a range by their numbers in the order of iteration.
 template <class PointRange>
-class Point_numbering
+struct Point_numbering
 {
-public:
-  using Descriptor = Point_descriptor<PointRange>;
-
   /// Linear.
-  explicit Point_numbering(const PointRange& points)
+  explicit Point_numbering(const PointRange& points) : descriptors(descriptors_of(points))
   {
-    for_each_descriptor(points, [this](std::size_t number, const Descriptor& descriptor) {
-      m_size = number + 1;
-      if constexpr (Is_range_of_indices<PointRange>::value) {
-        m_descriptors.push_back(descriptor);
-        m_numbers.resize(std::max(m_numbers.size(), std::size_t(descriptor) + 1), no_index);
-        m_numbers[descriptor] = Index(number);
-      }
-    });
-  }
-
-  std::size_t size() const { return m_size; }
-
-  /// \pre `number < size()`
-  Descriptor descriptor(std::size_t number) const
-  {
-    if constexpr (Is_range_of_indices<PointRange>::value) {
-      return m_descriptors[number];
-    } else {
-      return number;
+    for (std::size_t i = 0; i < descriptors.size(); ++i) {
+      numbers.resize(std::max(numbers.size(), std::size_t(descriptors[i]) + 1), no_index);
+      numbers[std::size_t(descriptors[i])] = Index(i);
     }
   }
 
   /// The number of a point, `no_index` if the range does not have it; constant time.
-  Index number(const Descriptor& descriptor) const
+  Index number(const Point_descriptor<PointRange>& descriptor) const
   {
-    if constexpr (Is_range_of_indices<PointRange>::value) {
-      return std::size_t(descriptor) < m_numbers.size() ? m_numbers[descriptor] : no_index;
-    } else {
-      return descriptor < m_size ? Index(descriptor) : no_index;
-    }
+    return std::size_t(descriptor) < numbers.size() ? numbers[std::size_t(descriptor)] : no_index;
   }
 
-private:
-  std::size_t m_size = 0;
-  // Only of a range of indices:
-  std::vector<Descriptor> m_descriptors; // of every number
-  std::vector<Index> m_numbers;          // of every index
+  std::vector<Point_descriptor<PointRange>> descriptors; ///< of every number
+  std::vector<Index> numbers;                            ///< of every descriptor
 };
 
 /// The map from the elements of a range to points where none is given: that of a `CGAL::Point_set_3`, or the identity.
@@ -143,8 +113,13 @@ auto point_map(const PointRange& points, const NamedParameters& np)
   }
 }
 
-/// Calls `function(map...)` with the normal map that `np` gives, else with that of the range, if it has one, else
-/// without arguments. \return the result of the function, in all cases of the same type
+/// The replacement of a map to normals for points without normals.
+struct No_normals
+{
+};
+
+/// Calls `function(map)` with the normal map that `np` gives, else with that of the range, if it has one, else with
+/// `No_normals`. \return the result of the function, in all cases of the same type
 template <class PointRange, class NamedParameters, class Function>
 auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]] const NamedParameters& np,
                      const Function& function)
@@ -152,22 +127,22 @@ auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]]
   if constexpr (!parameters::is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value) {
     return function(parameters::get_parameter(np, CGAL::internal_np::normal_map));
   } else if constexpr (Is_range_of_indices<PointRange>::value) {
-    return points.has_normal_map() ? function(points.normal_map()) : function();
+    return points.has_normal_map() ? function(points.normal_map()) : function(No_normals());
   } else {
-    return function();
+    return function(No_normals());
   }
 }
 
-/// The replacement of a map to normals for points without normals.
-struct No_normals
+/// The coordinates of the points of a range, in order.
+template <class PointRange, class PointMap>
+std::vector<Vector3> coordinates_of(const PointRange& points, const PointMap& point_map)
 {
-};
-
-/// The coordinates of a point or vector of any type.
-template <class Triple>
-Vector3 to_vector_3(const Triple& triple)
-{
-  return {CGAL::to_double(triple.x()), CGAL::to_double(triple.y()), CGAL::to_double(triple.z())};
+  std::vector<Vector3> result;
+  result.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
+  for (const auto& element : points) {
+    result.push_back(to_vector_3(get(point_map, element)));
+  }
+  return result;
 }
 
 /// Reads `range` into flat arrays; O(n log n). All points may be at one place.
@@ -210,43 +185,23 @@ template <class PointRange, class NamedParameters>
 Point_cloud collect_points_of(const PointRange& range, const NamedParameters& np)
 {
   const auto map = point_map(range, np);
-  return with_normal_map(range, np, [&](const auto&... normal_map) {
-    if constexpr (sizeof...(normal_map) == 0) {
-      return collect_points(range, map, No_normals());
-    } else {
-      return collect_points(range, map, normal_map...);
-    }
-  });
+  return with_normal_map(range, np, [&](const auto& normal_map) { return collect_points(range, map, normal_map); });
 }
 
-/// For every vertex of a surface, the points of the input that it stands for, by their identifiers there.
+/// For every vertex of a surface, the points of the input that it stands for.
+/// \param points the range that `cloud` was made from \param vertex_of_point of every point of the cloud
 template <class PointRange>
-class Input_points
+Compressed_rows<Point_descriptor<PointRange>> points_of_vertices(const PointRange& points, const Point_cloud& cloud,
+                                                                 const std::vector<Index>& vertex_of_point,
+                                                                 std::size_t number_of_vertices)
 {
-public:
-  using Descriptor = Point_descriptor<PointRange>;
-
-  /// None.
-  Input_points() = default;
-
-  /// \param points the range that `cloud` was made from \param vertex_of_point of every point of the cloud
-  Input_points(const PointRange& points, const Point_cloud& cloud, const std::vector<Index>& vertex_of_point,
-               std::size_t number_of_vertices)
-      : m_descriptors(number_of_vertices, [&](const auto& add) {
-          for_each_descriptor(points, [&](std::size_t number, const Descriptor& descriptor) {
-            add(vertex_of_point[cloud.input_point[number]], descriptor);
-          });
-        })
-  {
-  }
-
-  CGAL::Iterator_range<const Descriptor*> operator[](Index vertex) const { return m_descriptors[vertex]; }
-  /// The number of points of all vertices together.
-  std::size_t number_of_points() const { return m_descriptors.number_of_values(); }
-
-private:
-  Compressed_rows<Descriptor> m_descriptors; // of every vertex
-};
+  const std::vector<Point_descriptor<PointRange>> descriptors = descriptors_of(points);
+  return {number_of_vertices, [&](const auto& add) {
+            for (std::size_t i = 0; i < descriptors.size(); ++i) {
+              add(vertex_of_point[cloud.input_point[i]], descriptors[i]);
+            }
+          }};
+}
 
 } // namespace internal
 } // namespace CSCD

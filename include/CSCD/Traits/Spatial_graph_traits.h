@@ -9,15 +9,11 @@
 #include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Traits/Surface_adapter.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 #include <CSCD/internal/flat_arrays.h>
-
-#include <CGAL/Iterator_range.h>
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -27,7 +23,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,18 +39,12 @@ namespace CSCD {
 ///         constructible from three coordinates
 template <class Graph, class VertexPointMap>
 class Spatial_graph_traits
+    : public Surface_adapter<Spatial_graph, typename boost::property_traits<VertexPointMap>::value_type,
+                             typename boost::graph_traits<Graph>::vertex_descriptor>
 {
 public:
-  /// \name Types
-  /// @{
-
-  /// The points of the input.
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
   /// The identifier of a vertex of the input.
   using Input_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
-  /// The surface that the pipeline runs on.
-  using Surface = Spatial_graph;
-  /// @}
 
   /// Reads `graph`, which is not referred to later; O(n log n). The length of an edge is its member `weight`, in any
   /// unit, or else its length in space. Where the vertices have a member `radius`, as in `Skeleton_graph`, the radii of
@@ -72,8 +61,7 @@ public:
     for (const Input_descriptor vertex : boost::make_iterator_range(vertices(graph))) {
       number.emplace(vertex, Index(points.size()));
       descriptors.push_back(vertex);
-      const auto& point = get(point_map, vertex);
-      points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+      points.push_back(internal::to_vector_3(get(point_map, vertex)));
       check(points.back().allFinite(), "vertex", points.size() - 1, "has a coordinate that is not finite");
       if constexpr (CSCD_GIVES(double, const Graph&, t[*vertices(t).first].radius)) {
         radii.push_back(double(graph[vertex].radius));
@@ -91,46 +79,28 @@ public:
     if (points.empty()) {
       throw Input_error("the graph has no vertices: check how the input was written");
     }
-    m_graph.emplace(std::move(points), graph_edges, radii);
-    const std::vector<Index>& vertex_of_point = m_graph->vertex_of_point();
-    m_descriptors = internal::Compressed_rows<Input_descriptor>(m_graph->number_of_vertices(), [&](const auto& add) {
-      for (std::size_t i = 0; i < descriptors.size(); ++i) {
-        add(vertex_of_point[i], descriptors[i]);
-      }
-    });
-    m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Spatial_graph& surface = this->m_surface.emplace(std::move(points), graph_edges, radii);
+    const std::vector<Index>& vertex_of_point = surface.vertex_of_point();
+    this->m_descriptors =
+        internal::Compressed_rows<Input_descriptor>(surface.number_of_vertices(), [&](const auto& add) {
+          for (std::size_t i = 0; i < descriptors.size(); ++i) {
+            add(vertex_of_point[i], descriptors[i]);
+          }
+        });
+    this->m_normalization = surface.normalization();
+    Skeletonization_report& report = this->m_report; // without a genus: a graph has none
+    report.number_of_input_vertices = descriptors.size();
+    report.number_of_surface_components = surface.number_of_components();
+    report.add_warning(surface.number_of_duplicates(), "vertex at the place of another: it belongs to the same node",
+                       "vertices at the place of others: they belong to the same nodes");
+    report.add_warning(surface.number_of_unused_edges(),
+                       "edge from a vertex to itself or parallel to another: left out",
+                       "edges from a vertex to itself or parallel to others: left out");
+    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   /// A temporary graph is refused: the descriptors would refer to it.
   Spatial_graph_traits(Graph&&, const VertexPointMap&) = delete;
-
-  /// The graph in flat arrays.
-  const Spatial_graph& surface() const { return *m_graph; }
-
-  /// \name Back to the input
-  /// @{
-
-  /// The vertices of the input that are at `vertex`.
-  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_descriptors[vertex]; }
-  /// A point of the graph in the coordinates of the input.
-  Point to_input_point(const Vector3& point) const
-  {
-    return CSCD::to_input_point<Point>(m_graph->normalization(), point);
-  }
-  /// A length in the unit of the input.
-  double to_input_length(double length) const { return length * m_graph->normalization().unit; }
-  /// Describes the input in `report`. A graph has no genus.
-  void describe_input(Skeletonization_report& report) const
-  {
-    report.number_of_input_vertices = m_descriptors.number_of_values();
-    report.number_of_surface_components = m_graph->number_of_components();
-    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
-    report.add_warning(m_graph->number_of_duplicates(), "vertex at the place of another: it belongs to the same node",
-                       "vertices at the place of others: they belong to the same nodes");
-    report.add_warning(m_graph->number_of_unused_edges(),
-                       "edge from a vertex to itself or parallel to another: left out",
-                       "edges from a vertex to itself or parallel to others: left out");
-  }
-  /// @}
 
 private:
   template <class Edge>
@@ -150,10 +120,6 @@ private:
       throw Input_error(std::string(element) + " " + std::to_string(number) + " " + fault + ": correct or remove it");
     }
   }
-
-  std::optional<Spatial_graph> m_graph;
-  internal::Compressed_rows<Input_descriptor> m_descriptors; // of every vertex
-  double m_seconds = 0;
 };
 
 } // namespace CSCD

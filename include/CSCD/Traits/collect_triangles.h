@@ -8,10 +8,13 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/read_mesh.h>
+#include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
+
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -19,12 +22,9 @@ namespace CSCD::internal {
 
 /// The triangles of a mesh, and where they came from.
 template <class VertexDescriptor>
-struct Collected_triangles
+struct Collected_triangles : Checked_triangles
 {
-  Indexed_triangles triangles;
-  Halfedge_pairing pairing;
   std::vector<VertexDescriptor> descriptors; ///< the vertices of the points
-  std::size_t number_of_isolated_vertices = 0;
 };
 
 /// Reads `mesh` into points and index triples. Vertices and faces keep the iteration order of the mesh; vertices
@@ -32,23 +32,29 @@ struct Collected_triangles
 /// otherwise.
 /// \param mesh a model of `FaceListGraph`
 /// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
-/// \param number_of_threads 0 for as many as TBB allows
 /// \throw Input_error as `read_mesh()` and `check_triangles()` do
 template <class TriangleMesh, class VertexPointMap>
 Collected_triangles<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map, unsigned number_of_threads = 1)
+collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
 {
   auto arrays = read_mesh(mesh, point_map);
-  Checked_triangles checked = check_triangles(std::move(arrays.points), std::move(arrays.faces), number_of_threads);
-  Collected_triangles<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> result;
-  result.descriptors.reserve(checked.input_number.size());
-  for (const Index number : checked.input_number) {
-    result.descriptors.push_back(arrays.descriptors[number]);
+  Checked_triangles checked = check_triangles(std::move(arrays.points), std::move(arrays.faces));
+  auto descriptors = reordered(arrays.descriptors, checked.input_number);
+  return {std::move(checked), std::move(descriptors)};
+}
+
+/// The numbers of the vertices of `mesh` among `descriptors`; `no_index` for a vertex without a face. Linear.
+template <class TriangleMesh, class VertexDescriptor>
+auto vertex_numbers(const TriangleMesh& mesh, const std::vector<VertexDescriptor>& descriptors)
+{
+  auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  for (const VertexDescriptor vertex : vertices(mesh)) {
+    put(numbers, vertex, no_index);
   }
-  result.triangles = std::move(checked.triangles);
-  result.pairing = std::move(checked.pairing);
-  result.number_of_isolated_vertices = checked.number_of_isolated_vertices;
-  return result;
+  for (Index i = 0; i < descriptors.size(); ++i) {
+    put(numbers, descriptors[i], i);
+  }
+  return numbers;
 }
 
 } // namespace CSCD::internal

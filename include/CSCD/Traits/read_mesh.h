@@ -12,9 +12,6 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/double.h>
-#include <CGAL/float.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -97,8 +94,7 @@ Mesh_arrays<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> read_
   for (const Vertex_descriptor vertex : vertices(mesh)) {
     put(numbers, vertex, Index(result.descriptors.size()));
     result.descriptors.push_back(vertex);
-    const auto& point = get(point_map, vertex);
-    result.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+    result.points.push_back(to_vector_3(get(point_map, vertex)));
   }
   result.faces.reserve(num_faces(mesh));
   for (const auto face : faces(mesh)) {

@@ -35,18 +35,6 @@ namespace internal {
 Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::optional<Vector3>& root,
                               Skeleton& skeleton);
 
-/// The coordinates of the points of a range, in order.
-template <class PointRange, class PointMap>
-std::vector<Vector3> coordinates_of(const PointRange& points, const PointMap& point_map)
-{
-  std::vector<Vector3> result;
-  result.reserve(std::size_t(std::distance(points.begin(), points.end())));
-  for (const auto& element : points) {
-    result.push_back(to_vector_3(get(point_map, element)));
-  }
-  return result;
-}
-
 /// Some 50,000 of `points`, or all if they are fewer: those whose coordinates have a certain remainder, so that the
 /// choice does not depend on their order. Linear.
 inline std::vector<Vector3> sample_of(const std::vector<Vector3>& points)
@@ -151,10 +139,8 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
   }
   CSCD::Skeleton trees;
   Tree_report report = internal::skeletonize_trees(internal::coordinates_of(points, point_map), root, trees);
-  std::vector<Point_descriptor<PointRange>> descriptors;
-  internal::for_each_descriptor(points, [&](std::size_t, const auto& point) { descriptors.push_back(point); });
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  skeleton = internal::make_skeleton_graph<Skeleton, Point>(trees, descriptors);
+  skeleton = internal::make_skeleton_graph<Skeleton, Point>(trees, internal::descriptors_of(points));
   return report;
 }
 
