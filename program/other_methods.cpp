@@ -63,7 +63,6 @@ Skeletonization_result compute_graph_skeleton(const Input& input, const Skeleton
                                               Progress_visitor& visitor)
 {
   // Skeletons are graphs with positions, too.
-  using Traits = CSCD::Spatial_graph_traits<Number_graph, CSCD::internal::Bundled_point_map<Number_graph>>;
   Number_graph graph;
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     auto& vertex = graph[add_vertex(graph)];
@@ -73,7 +72,7 @@ Skeletonization_result compute_graph_skeleton(const Input& input, const Skeleton
   for (const auto& [a, b] : input.graph->edges) {
     add_edge(a, b, graph);
   }
-  const Traits traits(graph, CSCD::internal::Bundled_point_map<Number_graph>{&graph});
+  const CSCD::Spatial_graph_traits traits(graph, CSCD::internal::bundled_point_map(graph));
   Skeletonization_result result = run_skeletonization(traits, CSCD::Graph_policies(), options, visitor);
   result.skeleton.separators.clear(); // sets of vertices, no curves
   return result;

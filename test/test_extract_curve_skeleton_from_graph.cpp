@@ -371,8 +371,7 @@ TEST(Graph_skeleton, weights_of_edges_are_lengths)
   }
   add_edge(0, 1, Weight{4}, graph);
   add_edge(2, 1, Weight{0}, graph);
-  const CSCD::Spatial_graph_traits<Weighted_graph, CSCD::internal::Bundled_point_map<Weighted_graph>> traits(
-      graph, CSCD::internal::Bundled_point_map<Weighted_graph>{&graph});
+  const CSCD::Spatial_graph_traits traits(graph, CSCD::internal::bundled_point_map(graph));
   const CSCD::Spatial_graph& surface = traits.surface();
   ASSERT_EQ(surface.number_of_halfedges(), 4U);
   double sum = 0;

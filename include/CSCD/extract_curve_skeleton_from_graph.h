@@ -17,7 +17,7 @@
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -25,26 +25,22 @@
 namespace CSCD {
 namespace internal {
 
-/// Reads the member `point` of the vertices of a graph.
+/// The map from the vertices of `graph`, which is referred to, to their members `point`.
 template <class Graph>
-struct Bundled_point_map
+auto bundled_point_map(const Graph& graph)
 {
-  using key_type = typename boost::graph_traits<Graph>::vertex_descriptor;
-  using value_type = std::decay_t<decltype(std::declval<const Graph&>()[std::declval<key_type>()].point)>;
-  using reference = const value_type&;
-  using category = boost::lvalue_property_map_tag;
-
-  const Graph* graph;
-
-  friend reference get(const Bundled_point_map& map, key_type vertex) { return (*map.graph)[vertex].point; }
-};
+  using Vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
+  return boost::make_function_property_map<Vertex>([&graph](Vertex vertex) -> const auto& {
+    return graph[vertex].point;
+  });
+}
 
 /// The point map that `np` gives, else the members `point` of the vertices of `graph`.
 template <class Graph, class NamedParameters>
 auto graph_point_map([[maybe_unused]] const Graph& graph, [[maybe_unused]] const NamedParameters& np)
 {
   if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
-    return Bundled_point_map<Graph>{&graph};
+    return bundled_point_map(graph);
   } else {
     return parameters::get_parameter(np, CGAL::internal_np::vertex_point);
   }

@@ -50,10 +50,6 @@ public:
   {
     return (m_min - point).cwiseMax(point - m_max).cwiseMax(Vector3::Zero()).squaredNorm();
   }
-  double distance(const Bounding_box& other) const
-  {
-    return (m_min - other.m_max).cwiseMax(other.m_min - m_max).cwiseMax(Vector3::Zero()).norm();
-  }
 
 private:
   Vector3 m_min = Vector3::Constant(std::numeric_limits<double>::infinity());
