@@ -16,7 +16,6 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/to_input.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>

@@ -15,7 +15,6 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Traits/to_input.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/skeletonize.h>

@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_SEPARATOR_H
 #define CSCD_SEPARATOR_SEPARATOR_H
 
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
@@ -111,6 +112,19 @@ void curve_points(const Surface& surface, const Separator& separator, std::vecto
   } else {
     crossing_points(surface, separator.crossings, points);
   }
+}
+
+/// The curve of `separator` in the coordinates of the input.
+template <class Triangulation>
+std::vector<Vector3> to_input(const Separator& separator, const Triangulation& triangulation,
+                              const Normalization& normalization)
+{
+  std::vector<Vector3> points;
+  curve_points(triangulation, separator, points);
+  for (Vector3& point : points) {
+    point = normalization.to_input(point);
+  }
+  return points;
 }
 
 /// The sides of a sheet that the curve of `crossings` passes: bit 0 for the first, bit 1 for the second. An open

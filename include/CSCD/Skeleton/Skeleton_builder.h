@@ -6,7 +6,10 @@
 #ifndef CSCD_SKELETON_SKELETON_BUILDER_H
 #define CSCD_SKELETON_SKELETON_BUILDER_H
 
+#include <CSCD/Skeleton.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -287,6 +290,34 @@ inline void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_
   }
 }
 
+namespace internal {
+
+/// The skeleton `embedded` in the coordinates of the input.
+/// \param for_each_input_vertex `for_each_input_vertex(v, add)` calls `add(number)` for the vertices of the input that
+///        vertex `v` of the surface represents
+template <class ForEachInputVertex>
+Skeleton to_input(const Embedded_skeleton& embedded, const Normalization& normalization,
+                  const ForEachInputVertex& for_each_input_vertex)
+{
+  const Skeleton_builder& builder = embedded.graph;
+  Skeleton result;
+  for (Index node = 0; node < builder.size(); ++node) {
+    result.points.push_back(normalization.to_input(builder[node].position));
+    result.radii.push_back(embedded.radius[node] * normalization.unit);
+    result.is_opening.push_back(builder[node].is_opening ? 1 : 0);
+  }
+  result.edges = builder.edges();
+  result.is_joined.assign(result.edges.size(), 0);
+  result.significance = significance_levels(result);
+  result.vertices.resize(builder.size());
+  for (Index vertex = 0; vertex < embedded.node_of_vertex.size(); ++vertex) {
+    std::vector<Index>& of_node = result.vertices[embedded.node_of_vertex[vertex]];
+    for_each_input_vertex(vertex, [&of_node](Index number) { of_node.push_back(number); });
+  }
+  return result;
+}
+
+} // namespace internal
 } // namespace CSCD
 
 #endif // CSCD_SKELETON_SKELETON_BUILDER_H
