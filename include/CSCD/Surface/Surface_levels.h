@@ -31,8 +31,14 @@ namespace CSCD::internal {
 class Coarsening
 {
 public:
+  /// The squared cosine of the maximal turn of a face's normal in a collapse: of about 78 degrees.
+  static constexpr double usual_squared_cosine = 0.04;
+
   /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
-  explicit Coarsening(const Triangulated_surface& fine, unsigned number_of_threads = 1) : m_fine(fine)
+  /// \param min_squared_cosine that of the maximal turn of a face's normal in a collapse
+  explicit Coarsening(const Triangulated_surface& fine, unsigned number_of_threads = 1,
+                      double min_squared_cosine = usual_squared_cosine)
+      : m_fine(fine), m_min_squared_cosine(min_squared_cosine)
   {
     freeze_wide_stars();
     freeze_bridges();
@@ -106,8 +112,6 @@ private:
   static constexpr Index block_size = 1U << 16U;
   /// A collapse may not make a degree higher than this; leaves room for later collapses into the same vertex.
   static constexpr Index max_degree_after = 16;
-  /// Squared cosine of the maximal turn of a face's normal in a collapse, about 78 degrees.
-  static constexpr double min_squared_cosine = 0.04;
   /// Weight of the turn of the normals against the squared length in the cost of a collapse.
   static constexpr double turn_weight = 3;
   /// Faces of less area count as without area: rounding alone gives them a direction. Relative to the squared length of
@@ -248,7 +252,7 @@ private:
       const double cosine = least_turn_squared_cosine(incident_edge, face_vector, degree, i);
       const std::pair cost(float(incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine))),
                            scattered(vertex, neighbors[i]));
-      if (cosine >= min_squared_cosine && cost < best_cost && is_collapsible(vertex, i)) {
+      if (cosine >= m_min_squared_cosine && cost < best_cost && is_collapsible(vertex, i)) {
         best = i;
         best_cost = cost;
       }
@@ -258,7 +262,7 @@ private:
 
   /// The squared cosine of the maximal turn of a normal when the center moves along incident edge `side`; -1 if one
   /// turns by 90 degrees or more.
-  static double least_turn_squared_cosine(const Star& incident_edge, const Star& face_vector, Index degree, Index side)
+  double least_turn_squared_cosine(const Star& incident_edge, const Star& face_vector, Index degree, Index side) const
   {
     const double min_area = min_relative_area * incident_edge[side].squaredNorm();
     const double min_squared_area = min_area * min_area;
@@ -273,7 +277,7 @@ private:
       }
       const double norms = squared_area * old_squared_area;
       least = std::min(least, product * product / norms);
-      if (least < min_squared_cosine) {
+      if (least < m_min_squared_cosine) {
         return -1;
       }
     }
@@ -384,6 +388,7 @@ private:
   }
 
   const Triangulated_surface& m_fine;
+  double m_min_squared_cosine;
   std::vector<Index> m_ring; // of all vertices, one after the other
   std::vector<Index> m_ring_begin;
   std::vector<std::uint8_t> m_degree; // 0 where it is too high
