@@ -276,12 +276,36 @@ private:
   std::vector<double> m_room; ///< of each halfedge, the position of the first separator that crosses it
 };
 
-/// Packs separators around handles that no packed one cuts, and appends them to `separators`; counts them in `report`.
-inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing,
-                        Skeletonization_report& report)
+/// The packed separators except, of the first `number` in their list, those at pieces with handles.
+inline std::vector<Index> packed_away_from_handles(const Separator_packing& packing, std::size_t number)
 {
-  report.number_of_handle_cuts = Handle_cutting(solid.triangulation(), separators, packing)();
-  for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
+  const Cut_graph& cut_graph = packing.cut_graph();
+  const auto has_handle = [&cut_graph](Index piece) { return cut_graph.pieces()[piece].genus() > 0; };
+  std::vector<Index> result;
+  for (Index i = 0; i < packing.packed().size(); ++i) {
+    const auto [right, left] = cut_graph.sides(i);
+    if (packing.packed()[i] >= number || (!has_handle(right) && !has_handle(left))) {
+      result.push_back(packing.packed()[i]);
+    }
+  }
+  return result;
+}
+
+/// Packs separators around handles that no packed one cuts, and appends them to `separators`; counts them in `report`.
+/// Where a coarse surface leaves no room for them, the packed ones around are left out.
+inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators,
+                        std::unique_ptr<Separator_packing>& packing, Skeletonization_report& report)
+{
+  const Triangulated_surface& surface = solid.triangulation();
+  const std::size_t number = separators.size();
+  report.number_of_handle_cuts = Handle_cutting(surface, separators, *packing)();
+  std::vector<Index> kept = packed_away_from_handles(*packing, number);
+  while (kept.size() < packing->packed().size()) {
+    packing = std::make_unique<Separator_packing>(surface, separators, kept);
+    report.number_of_handle_cuts += Handle_cutting(surface, separators, *packing)();
+    kept = packed_away_from_handles(*packing, number);
+  }
+  for (std::size_t i = number; i < separators.size(); ++i) {
     mark_open(solid, separators[i]);
   }
 }
@@ -454,7 +478,7 @@ inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulat
       packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, kept);
     }
   }
-  cut_handles(solid, separators, *packing, report);
+  cut_handles(solid, separators, packing, report);
   return packing;
 }
 
