@@ -13,7 +13,9 @@
 #define CSCD_VOLUME_VOXEL_SURFACE_H
 
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
@@ -215,6 +217,18 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
   }
 }
 
+/// Leaves out two of three vertices where the surface is much finer than limbs are thick; the topology stays the same.
+/// A second round would leave long faces along thin limbs, whose ends are lost then. Linear.
+inline void coarsen_voxel_surface(Indexed_triangles& triangles)
+{
+  constexpr std::size_t fine_size = 3000;     // vertices: fewer than a third of them hardly sample a body
+  constexpr double min_squared_cosine = 0.75; // of the turn of a normal, 30 degrees: with more, ends are lost
+  if (triangles.points.size() > fine_size) {
+    const Triangulated_surface fine(std::move(triangles));
+    triangles = Coarsening(fine, 1, min_squared_cosine).triangles();
+  }
+}
+
 } // namespace internal
 
 /// Makes the surfaces of all labels of an image, slice by slice: only two slices are in memory, apart from the
@@ -225,7 +239,8 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
 /// connectivity demands; two voxels that meet in a corner alone are joined there by a tube, if they are. So the surface
 /// is a closed manifold that is homotopy equivalent to the body of voxels, whose handles, components and cavities it
 /// has. Then vertices are smoothed by the method of G. Taubin, *A signal processing approach to fair surface design*,
-/// SIGGRAPH 1995, and stay within half a voxel of where they were. Linear in the number of voxels.
+/// SIGGRAPH 1995, and stay within half a voxel of where they were; where the surface is finer than its curvature needs,
+/// some are left out. Linear in the number of voxels.
 class Voxel_surface_builder
 {
 public:
@@ -589,6 +604,7 @@ private:
     for (Vector3& point : triangles.points) {
       point = m_grid.point(point - Vector3::Constant(0.5));
     }
+    internal::coarsen_voxel_surface(triangles);
     if (m_grid.signed_voxel_volume() < 0) {
       for (std::array<Index, 3>& face : triangles.faces) {
         std::swap(face[1], face[2]);
