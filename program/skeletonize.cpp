@@ -400,8 +400,9 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
   }
 }
 
-/// Skeletonizes `input` and writes the outputs to `files`.
-Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& input, const Skeletonize_options& options)
+} // namespace
+
+Skeletonization_result skeletonize_with_progress(Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;
   Stage_progress progress;
@@ -409,8 +410,12 @@ Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& inp
     bar.emplace(std::cerr);
     progress = [&bar](CSCD::Skeletonization_stage stage, double fraction) { bar->show(stage, fraction); };
   }
-  Skeletonization_result result = skeletonize_input(input, options, progress);
-  bar.reset(); // messages follow
+  return skeletonize_input(input, options, progress);
+}
+
+void tell_and_write(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                    const Skeletonize_options& options)
+{
   if (!options.is_quiet) {
     const std::string label = result.volume ? "label " + std::to_string(result.volume->label) + ": " : "";
     for (const std::string& warning : result.warnings()) {
@@ -421,23 +426,20 @@ Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& inp
   if (!options.is_quiet) {
     tell_results(result, options);
   }
-  return result;
 }
-
-} // namespace
 
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
   CSCD::File_group files;
   if (is_volume(options)) {
-    skeletonize_volume(files, options, skeletonize_and_write);
+    skeletonize_volume(files, options);
     files.publish();
     return;
   }
   const bool keeps_file = !options.correspondence.empty();
   Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
-  skeletonize_and_write(files, input, options);
+  tell_and_write(files, input, skeletonize_with_progress(input, options), options);
   files.publish();
 }
 

@@ -175,16 +175,18 @@ bool is_node_volume(const std::string& output);
 /// \throw Usage_error
 void check_volume_options(const Skeletonize_options& options);
 
-/// Skeletonizes the surface of a body in a volume and writes the results, except volumes, to `files`.
-using Skeletonize_body =
-    std::function<Skeletonization_result(CSCD::File_group& files, Input& body, const Skeletonize_options& options)>;
+/// `skeletonize_input()` that shows the progress on a terminal unless `options` are quiet.
+Skeletonization_result skeletonize_with_progress(Input& input, const Skeletonize_options& options);
 
-/// Reads the surfaces of the bodies in a volume, calls `skeletonize_body` for each after its last slice, and writes
-/// volumes of node numbers. If each label is a body, the names of the files hold it, and its files are published before
-/// the next label begins.
+/// Tells warnings and counts, and writes all results except volumes to `files`.
+void tell_and_write(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                    const Skeletonize_options& options);
+
+/// Reads the surfaces of the bodies in a volume, skeletonizes each soon after its last slice, and writes the results
+/// and volumes of node numbers. If each label is a body, the names of the files hold it; its files are published
+/// together, those of a few dozen small bodies at once.
 /// \throw `CSCD::File_error`, `CSCD::Input_error`
-void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
-                        const Skeletonize_body& skeletonize_body);
+void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options);
 
 /// Whether `output` is a viewer page, by its ending.
 bool is_page(const std::string& output);

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/parallel.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -75,6 +76,30 @@ bool is_done(const Skeletonize_options& options)
          std::all_of(files.begin(), files.end(), [](const std::string& file) { return std::filesystem::exists(file); });
 }
 
+/// A body that has been read.
+struct Waiting_body
+{
+  CSCD::Voxel_surface surface; ///< perhaps without its triangles
+  Input input;
+  Skeletonize_options options;
+  Skeletonization_result result; ///< set by `skeletonize_bodies()`
+};
+
+/// Skeletonizes several bodies at once, with one thread for each, or one body with all threads.
+void skeletonize_bodies(std::vector<Waiting_body>& bodies, unsigned number_of_threads)
+{
+  if (bodies.size() == 1) {
+    bodies.front().result = skeletonize_with_progress(bodies.front().input, bodies.front().options);
+    return;
+  }
+  CSCD::internal::For_each_index<char> for_each([] { return '\0'; }, number_of_threads);
+  for_each(CSCD::Index(bodies.size()), [&bodies](CSCD::Index i, char&) {
+    Skeletonize_options options = bodies[i].options;
+    options.number_of_threads = 1;
+    bodies[i].result = skeletonize_input(bodies[i].input, options, nullptr);
+  });
+}
+
 } // namespace
 
 bool is_volume(const Skeletonize_options& options)
@@ -107,14 +132,33 @@ void check_volume_options(const Skeletonize_options& options)
   }
 }
 
-void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
-                        const Skeletonize_body& skeletonize_body)
+void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options)
 {
+  constexpr std::size_t large_size = 20000;        // vertices: a larger body has all threads for itself
+  constexpr std::size_t max_number_of_bodies = 64; // that wait for their threads: these are kept in memory
   const bool keeps_surfaces = has_node_volume(options);
   std::vector<CSCD::Voxel_surface> surfaces; // for a volume of nodes
   std::vector<std::vector<std::uint32_t>> node_of_vertex;
   bool is_empty = true;
-  const auto skeletonize_surface = [&](CSCD::Voxel_surface&& surface) {
+  std::vector<Waiting_body> waiting;
+  const auto skeletonize_waiting = [&] {
+    skeletonize_bodies(waiting, options.number_of_threads);
+    for (Waiting_body& body : waiting) {
+      tell_and_write(files, body.input, body.result, body.options);
+      if (options.volume.separates_labels) {
+        files.publish();
+      }
+      if (keeps_surfaces) {
+        node_of_vertex.push_back(assigned_surface(body.input, body.result.skeleton).node_of_vertex);
+        for (std::uint32_t& number : node_of_vertex.back()) {
+          ++number; // 0 where there is none
+        }
+        surfaces.push_back(std::move(body.surface));
+      }
+    }
+    waiting.clear();
+  };
+  const auto take_surface = [&](CSCD::Voxel_surface&& surface) {
     is_empty = false;
     const Skeletonize_options options_of_this = options_of_body(options, surface.label);
     if (options.volume.resumes && is_done(options_of_this)) {
@@ -122,21 +166,20 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
     }
     surface.turn_cavities();
     surface.pairing = {};
-    Input body = make_input(keeps_surfaces ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
-    body.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
-    const Skeletonization_result result = skeletonize_body(files, body, options_of_this);
-    if (options.volume.separates_labels) {
-      files.publish();
+    const bool is_large = surface.triangles.points.size() > large_size;
+    if (is_large) {
+      skeletonize_waiting();
     }
-    if (keeps_surfaces) {
-      node_of_vertex.push_back(assigned_surface(body, result.skeleton).node_of_vertex);
-      for (std::uint32_t& number : node_of_vertex.back()) {
-        ++number; // 0 where there is none
-      }
-      surfaces.push_back(std::move(surface));
+    Input input =
+        make_input(keeps_surfaces ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
+    input.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
+    waiting.push_back({std::move(surface), std::move(input), options_of_this, {}});
+    if (is_large || waiting.size() == max_number_of_bodies) {
+      skeletonize_waiting();
     }
   };
-  CSCD::for_each_voxel_surface(options.input, options.volume, settings_of(options.volume), skeletonize_surface);
+  CSCD::for_each_voxel_surface(options.input, options.volume, settings_of(options.volume), take_surface);
+  skeletonize_waiting();
   if (is_empty) {
     throw CSCD::Input_error(options.input + ": no voxel is of a body; choose another label or threshold");
   }
