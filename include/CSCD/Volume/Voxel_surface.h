@@ -217,13 +217,18 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
   }
 }
 
-/// Leaves out two of three vertices where the surface is much finer than limbs are thick; the topology stays the same.
-/// A second round would leave long faces along thin limbs, whose ends are lost then. Linear.
-inline void coarsen_voxel_surface(Indexed_triangles& triangles)
+/// Leaves out two of three vertices where the surface of a thick body is finer than its curvature needs; the topology
+/// stays the same. A second round would leave long faces along thin limbs, whose ends are lost then. Linear.
+inline void coarsen_voxel_surface(Indexed_triangles& triangles, std::size_t number_of_voxels)
 {
-  constexpr std::size_t fine_size = 3000;     // vertices: fewer than a third of them hardly sample a body
-  constexpr double min_squared_cosine = 0.75; // of the turn of a normal, 30 degrees: with more, ends are lost
-  if (triangles.points.size() > fine_size) {
+  // Vertices: fewer than a third of them hardly sample a body.
+  constexpr std::size_t fine_size = 3000;
+  // Voxels for each vertex: a tube has about 0.4 for each voxel of its radius. Thinner bodies would lose in precision.
+  constexpr double min_thickness = 1;
+  // Of the turn of a normal, 30 degrees: with more, ends are lost.
+  constexpr double min_squared_cosine = 0.75;
+  if (triangles.points.size() > fine_size &&
+      double(number_of_voxels) > min_thickness * double(triangles.points.size())) {
     const Triangulated_surface fine(std::move(triangles));
     triangles = Coarsening(fine, 1, min_squared_cosine).triangles();
   }
@@ -604,7 +609,7 @@ private:
     for (Vector3& point : triangles.points) {
       point = m_grid.point(point - Vector3::Constant(0.5));
     }
-    internal::coarsen_voxel_surface(triangles);
+    internal::coarsen_voxel_surface(triangles, result.number_of_voxels);
     if (m_grid.signed_voxel_volume() < 0) {
       for (std::array<Index, 3>& face : triangles.faces) {
         std::swap(face[1], face[2]);
