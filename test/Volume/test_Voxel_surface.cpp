@@ -142,7 +142,7 @@ TEST(Voxel_surface, has_few_vertices_where_it_is_thick)
   std::mt19937 random(1);
   const Volume volume = make_volume({50, 44, 44}, [&](int x, int y, int z) {
     const int squared_distance = (x - 21) * (x - 21) + (y - 21) * (y - 21) + (z - 21) * (z - 21);
-    return squared_distance < 21 * 21 || (x > 43 && x < 47 && random() % 3 == 0);
+    return squared_distance < 21 * 21 || (x > 43 && x < 46 && random() % 4 == 0);
   });
   for (const Voxel_connectivity connectivity : {Voxel_connectivity::six, Voxel_connectivity::twenty_six}) {
     const Voxel_surface surface = make_voxel_surfaces(volume, voxel_settings(connectivity)).front();
