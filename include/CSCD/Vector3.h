@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -41,6 +42,19 @@ public:
   static constexpr Vector3 UnitY() { return {0, 1, 0}; }
   /// The direction of the z axis.
   static constexpr Vector3 UnitZ() { return {0, 0, 1}; }
+
+  /// The coordinate along an axis, 0 to 2, of any integral type.
+  template <class Axis>
+  constexpr double operator[](Axis axis) const
+  {
+    return array::operator[](std::size_t(axis));
+  }
+  /// The coordinate along an axis, likewise.
+  template <class Axis>
+  constexpr double& operator[](Axis axis)
+  {
+    return array::operator[](std::size_t(axis));
+  }
 
   /// The x coordinate.
   constexpr double x() const { return (*this)[0]; }
