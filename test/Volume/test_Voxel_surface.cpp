@@ -138,11 +138,13 @@ TEST(Voxel_surface, has_the_topology_of_random_voxels)
 
 TEST(Voxel_surface, has_few_vertices_where_it_is_thick)
 {
-  // A ball with many handles of one voxel.
+  const auto is_in_ball = [](int x, int y, int z) {
+    return (x - 21) * (x - 21) + (y - 21) * (y - 21) + (z - 21) * (z - 21) < 21 * 21;
+  };
+  // A ball and many handles of one voxel.
   std::mt19937 random(1);
   const Volume volume = make_volume({50, 44, 44}, [&](int x, int y, int z) {
-    const int squared_distance = (x - 21) * (x - 21) + (y - 21) * (y - 21) + (z - 21) * (z - 21);
-    return squared_distance < 21 * 21 || (x > 43 && x < 46 && random() % 4 == 0);
+    return is_in_ball(x, y, z) || (x > 43 && x < 46 && random() % 4 == 0);
   });
   for (const Voxel_connectivity connectivity : {Voxel_connectivity::six, Voxel_connectivity::twenty_six}) {
     const Voxel_surface surface = make_voxel_surfaces(volume, voxel_settings(connectivity)).front();
@@ -152,11 +154,9 @@ TEST(Voxel_surface, has_few_vertices_where_it_is_thick)
     EXPECT_LT(std::count_if(surface.triangles.points.begin(), surface.triangles.points.end(), is_of_ball),
               3500); // of 9000 corners of voxels
   }
-  const auto is_in_ball = [](int x, int y, int z) {
-    return (x - 21) * (x - 21) + (y - 21) * (y - 21) + (z - 21) * (z - 21) < 21 * 21;
-  };
-  EXPECT_NEAR(volume_inside(make_voxel_surfaces(make_volume({44, 44, 44}, is_in_ball)).front()),
-              4. / 3 * M_PI * 21 * 21 * 21, 0.02 * 4. / 3 * M_PI * 21 * 21 * 21);
+  constexpr double volume_of_ball = 4. / 3 * M_PI * 21 * 21 * 21;
+  EXPECT_NEAR(volume_inside(make_voxel_surfaces(make_volume({44, 44, 44}, is_in_ball)).front()), volume_of_ball,
+              0.02 * volume_of_ball);
 }
 
 TEST(Voxel_surface, joins_voxels_through_edges_and_corners_or_not)

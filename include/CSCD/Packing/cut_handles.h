@@ -296,15 +296,16 @@ inline std::vector<Index> packed_away_from_handles(const Separator_packing& pack
 inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators,
                         std::unique_ptr<Separator_packing>& packing, Skeletonization_report& report)
 {
-  const Triangulated_surface& surface = solid.triangulation();
   const std::size_t number = separators.size();
-  report.number_of_handle_cuts = Handle_cutting(surface, separators, *packing)();
-  std::vector<Index> kept = packed_away_from_handles(*packing, number);
-  while (kept.size() < packing->packed().size()) {
-    packing = std::make_unique<Separator_packing>(surface, separators, kept);
-    report.number_of_handle_cuts += Handle_cutting(surface, separators, *packing)();
-    kept = packed_away_from_handles(*packing, number);
+  for (;;) {
+    Handle_cutting(solid.triangulation(), separators, *packing)();
+    const std::vector<Index> kept = packed_away_from_handles(*packing, number);
+    if (kept.size() == packing->packed().size()) {
+      break;
+    }
+    packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, kept);
   }
+  report.number_of_handle_cuts = separators.size() - number;
   for (std::size_t i = number; i < separators.size(); ++i) {
     mark_open(solid, separators[i]);
   }
