@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <set>
 #include <sstream>
 #include <string>
@@ -62,6 +63,26 @@ TEST(extract_curve_skeleton_from_volume, finds_rings_where_they_are)
       assigned.insert(members.begin(), members.end());
     }
     EXPECT_EQ(assigned.size(), surface.triangles.points.size());
+  }
+}
+
+TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_a_sponge)
+{
+  // A ball below many handles of a voxel: packed separators cross all edges of a piece that has a handle.
+  std::mt19937 random(2);
+  CSCD::Volume volume;
+  volume.grid.size = {20, 20, 20};
+  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
+    const CSCD::Vector3 point(double(i % 20), double(i / 20 % 20), double(i / 400));
+    const double squared_distance = (point - CSCD::Vector3::Constant(9.5)).squaredNorm();
+    volume.labels.push_back(squared_distance < 45 || (squared_distance < 90 && random() % 2 == 0) ? 1 : 0);
+  }
+  for (CSCD::Voxel_surface& surface : make_voxel_surfaces(volume)) {
+    surface.turn_cavities();
+    Volume_skeleton skeleton;
+    const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(surface, skeleton);
+    EXPECT_GT(report.number_of_handle_cuts, 20U);
+    EXPECT_EQ(report.betti_number, report.genus);
   }
 }
 

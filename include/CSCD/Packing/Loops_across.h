@@ -64,10 +64,25 @@ inline int linking_number(const std::vector<Vector3>& a, const std::vector<Vecto
   };
   const std::vector<Vector3> over = view(a);
   const std::vector<Vector3> under = view(b);
+  // The edges that are not aside of all others: few of a loop that is long compared with a separator.
+  const auto edges_near = [](const std::vector<Vector3>& others, const std::vector<Vector3>& points) {
+    const Bounding_box box(others);
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Vector3 aside =
+          (box.min() - points[i].cwiseMax(points[i + 1])).cwiseMax(points[i].cwiseMin(points[i + 1]) - box.max());
+      if (aside.x() <= 0 && aside.y() <= 0) {
+        result.push_back(i);
+      }
+    }
+    return result;
+  };
+  const std::vector<std::size_t> edges_over = edges_near(under, over);
+  const std::vector<std::size_t> edges_under = edges_near(over, under);
   int result = 0;
-  for (std::size_t i = 0; i + 1 < over.size(); ++i) {
-    double from = turn(over[i], over[i + 1], under[0]);
-    for (std::size_t j = 0; j + 1 < under.size(); ++j) {
+  for (const std::size_t i : edges_over) {
+    for (const std::size_t j : edges_under) {
+      const double from = turn(over[i], over[i + 1], under[j]);
       const double to = turn(over[i], over[i + 1], under[j + 1]);
       if ((from > 0) != (to > 0)) {
         const double before = turn(under[j], under[j + 1], over[i]);
@@ -76,7 +91,6 @@ inline int linking_number(const std::vector<Vector3>& a, const std::vector<Vecto
         const double depth = (to * under[j].z() - from * under[j + 1].z()) / (to - from);
         result += (before > 0) != (after > 0) && height > depth ? (to > 0 ? 1 : -1) : 0;
       }
-      from = to;
     }
   }
   return result;
