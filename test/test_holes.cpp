@@ -126,51 +126,60 @@ Eigen::MatrixXd windings(const CSCD::Skeleton& skeleton, const std::vector<Hole>
   return result.array().round();
 }
 
+// Each shape is skeletonized with these seeds. A separator around the body that a hole passes is not always recognized,
+// and which one is not depends on chance: the bounds below are three standard deviations (measured with twelve seeds)
+// less than the mean.
+constexpr unsigned number_of_seeds = 3;
+
 /// Whether the cycles of the skeleton of `body` are as many as `holes`, and generate the loops around these. Sets
 /// `skeleton`.
-bool has_cycles_around(const std::vector<Hole>& holes, const CSCD::Indexed_triangles& body, CSCD::Skeleton& skeleton)
+bool has_cycles_around(const std::vector<Hole>& holes, const CSCD::Indexed_triangles& body, unsigned seed,
+                       CSCD::Skeleton& skeleton)
 {
-  const CSCD::Skeletonization_report report = CSCD::skeletonize(body.points, body.faces, CSCD::Options(), skeleton);
+  CSCD::Options options;
+  options.random_seed = seed;
+  const CSCD::Skeletonization_report report = CSCD::skeletonize(body.points, body.faces, options, skeleton);
   EXPECT_EQ(report.betti_number, holes.size());
   EXPECT_EQ(report.number_of_edges_outside, 0u);
   const Eigen::MatrixXd matrix = windings(skeleton, holes);
   return matrix.rows() == matrix.cols() && std::lround(std::abs(matrix.determinant())) == 1;
 }
 
-/// Whether the cycle leads around the hole of `block`, half way through it.
-bool has_cycle_around_hole(const Block& block)
+/// With how many seeds the cycle leads around the hole of `block`, half way through it.
+unsigned number_with_cycle_around_hole(const Block& block)
 {
-  CSCD::Skeleton skeleton;
   const Hole hole{Vector3(block.x, block.y, -1e4), Vector3(block.x, block.y, 0), Vector3(block.x, block.y, 1e4)};
-  const bool leads_around = has_cycles_around({hole}, CSCD::test::to_indexed_triangles(triangulated(block)), skeleton);
-  double height = 0;
-  double number = 0;
-  for (std::size_t edge = 0; edge < skeleton.edges.size(); ++edge) {
-    if (std::isinf(skeleton.significance[edge])) { // only edges of cycles are
-      height += skeleton.points[skeleton.edges[edge][0]].z() + skeleton.points[skeleton.edges[edge][1]].z();
-      number += 2;
+  const CSCD::Indexed_triangles body = CSCD::test::to_indexed_triangles(triangulated(block));
+  unsigned result = 0;
+  for (unsigned seed = 0; seed < number_of_seeds; ++seed) {
+    CSCD::Skeleton skeleton;
+    const bool leads_around = has_cycles_around({hole}, body, seed, skeleton);
+    double height = 0;
+    double number = 0;
+    for (std::size_t edge = 0; edge < skeleton.edges.size(); ++edge) {
+      if (std::isinf(skeleton.significance[edge])) { // only edges of cycles are
+        height += skeleton.points[skeleton.edges[edge][0]].z() + skeleton.points[skeleton.edges[edge][1]].z();
+        number += 2;
+      }
     }
+    result += leads_around && std::abs(height / number - 0.5) < 0.1 ? 1 : 0;
   }
-  return leads_around && std::abs(height / number - 0.5) < 0.1;
+  return result;
 }
 
 TEST(Holes, through_blocks_have_cycles_around_them)
 {
-  std::size_t number = 0;
-  std::size_t number_right = 0;
+  unsigned number_right = 0;
   for (const double length : {1., 1.5, 2.}) {
-    for (const double width : {0.4, 0.5, 0.7}) {
+    for (const double width : {0.4, 0.7}) {
       for (const double cell : {0.1, 0.2}) {
-        for (const double hole_width : {0.02, 0.04, 0.08}) {
-          ++number;
-          number_right += has_cycle_around_hole({length, width, cell, hole_width, 0.5, 0.3}) ? 1 : 0;
+        for (const double hole_width : {0.02, 0.08}) {
+          number_right += number_with_cycle_around_hole({length, width, cell, hole_width, 0.5, 0.3});
         }
       }
     }
   }
-  // A separator around the block that the hole passes is not always recognized: 51 are right, as many as if
-  // the vertices are moved at random by a millionth.
-  EXPECT_GE(number_right, 51u) << "of " << number;
+  EXPECT_GE(number_right, 63u) << "of 72";
 }
 
 /// A pipe with a wall, of straight parts from a joint to open ends.
@@ -210,15 +219,21 @@ CSCD::Indexed_triangles surface_of(const Pipe& pipe)
   return CSCD::make_voxel_surfaces(volume).front().triangles;
 }
 
-bool has_cycles_around_hollow(const Pipe& pipe)
+/// With how many seeds the cycles lead around the hollow of `pipe`.
+unsigned number_with_cycles_around_hollow(const Pipe& pipe)
 {
   std::vector<Hole> holes;
   const auto far_end = [&](std::size_t i) { return Vector3(pipe.joint + 1e4 * (pipe.ends[i] - pipe.joint)); };
   for (std::size_t i = 1; i < pipe.ends.size(); ++i) {
     holes.push_back({far_end(0), pipe.joint, far_end(i)});
   }
-  CSCD::Skeleton skeleton;
-  return has_cycles_around(holes, surface_of(pipe), skeleton);
+  const CSCD::Indexed_triangles body = surface_of(pipe);
+  unsigned result = 0;
+  for (unsigned seed = 0; seed < number_of_seeds; ++seed) {
+    CSCD::Skeleton skeleton;
+    result += has_cycles_around(holes, body, seed, skeleton) ? 1 : 0;
+  }
+  return result;
 }
 
 TEST(Holes, of_pipes_have_cycles_around_them)
@@ -227,18 +242,16 @@ TEST(Holes, of_pipes_have_cycles_around_them)
   const Vector3 corner(-0.3, -0.3, -0.3);
   const Vector3 x(1, 0, 0);
   const Vector3 z(0, 0, 1);
-  std::size_t number_right = 0;
-  for (const double radius : {0.3, 0.4}) {
-    for (const double wall : {0.4 * radius, 0.6 * radius}) {
-      number_right += has_cycles_around_hollow({radius, wall, center, {x, -x}}) ? 1 : 0;
-      number_right += has_cycles_around_hollow({radius, wall, corner, {{1, -0.3, -0.3}, {-0.3, -0.3, 1}}}) ? 1 : 0;
-      number_right += has_cycles_around_hollow({radius, wall, center, {x, -x, z}}) ? 1 : 0;
-      number_right += has_cycles_around_hollow({radius, wall, center, {-z, {0.8, 0, 0.7}, {-0.8, 0, 0.7}}}) ? 1 : 0;
-      number_right += has_cycles_around_hollow({radius, wall, center, {x, -x, z, -z}}) ? 1 : 0;
-    }
+  unsigned number_right = 0;
+  for (const auto& [radius, wall] : {std::pair(0.3, 0.12), std::pair(0.4, 0.24)}) {
+    number_right += number_with_cycles_around_hollow({radius, wall, center, {x, -x}});
+    number_right += number_with_cycles_around_hollow({radius, wall, corner, {{1, -0.3, -0.3}, {-0.3, -0.3, 1}}});
+    number_right += number_with_cycles_around_hollow({radius, wall, center, {x, -x, z}});
+    number_right += number_with_cycles_around_hollow({radius, wall, center, {-z, {0.8, 0, 0.7}, {-0.8, 0, 0.7}}});
+    number_right += number_with_cycles_around_hollow({radius, wall, center, {x, -x, z, -z}});
   }
-  // Of 20, 18 are right: the others have separators through the wall next to separators along it.
-  EXPECT_GE(number_right, 18u);
+  // Those that are not right have separators through the wall next to separators along it.
+  EXPECT_GE(number_right, 24u) << "of 30";
 }
 
 } // namespace
