@@ -117,17 +117,11 @@ void read_binary_stl(Byte_scanner& scanner, const std::string& filename, std::ve
                      " triangles are announced, there is room for " + std::to_string(room),
                  "check the ending of the file name, or fetch the file again");
   }
-  check_number_of_points(3 * number_of_triangles, filename);
   points.reserve(3 * number_of_triangles);
   for (std::size_t i = 0; i < number_of_triangles; ++i) {
     scanner.skip(stl_normal_size);
     for (int corner = 0; corner < 3; ++corner) {
-      const Vector3 point = scanner.vector<float>();
-      if (!point.allFinite()) {
-        fail_in_file(filename, "triangle " + std::to_string(i) + " has a coordinate that is not finite",
-                     "remove the triangle or write the file again");
-      }
-      points.push_back(point);
+      points.push_back(scanner.vector<float>());
     }
     scanner.skip(stl_attribute_size);
   }
@@ -222,8 +216,6 @@ Shape_file parse_obj(std::string_view content, const std::string& filename, unsi
     shape.has_polygons = shape.has_polygons || statement == "f";
     scanner.skip_line();
   }
-  check_number_of_points(shape.points.size(), filename);
-  check_corners(shape, filename);
   return shape;
 }
 
@@ -237,7 +229,6 @@ Shape_file parse_off(std::string_view content, const std::string& filename, unsi
   };
   const bool has_normals = read_off_keyword(scanner);
   const std::size_t number_of_points = next_count("the number of vertices");
-  check_number_of_points(number_of_points, filename);
   const std::size_t number_of_polygons = next_count("the number of faces");
   scanner.skip_line();
   Shape_file shape;
@@ -263,7 +254,7 @@ Shape_file parse_stl(std::string_view content, const std::string& filename, unsi
   } else {
     read_text_stl(text, result.points);
   }
-  check_number_of_points(result.points.size(), filename);
+  check_points(result.points, filename); // equal ones are found by their coordinates, and by indices
   merge_equal_points(result.points, result.corners);
   for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
     result.first_corner.push_back(end);
