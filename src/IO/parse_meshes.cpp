@@ -127,29 +127,6 @@ void read_binary_stl(Byte_scanner& scanner, const std::string& filename, std::ve
   }
 }
 
-void read_facet(Text_scanner& scanner, std::vector<Vector3>& points)
-{
-  int number_of_vertices = 0;
-  while (scanner.skip_blanks()) {
-    const std::string_view word = scanner.word();
-    if (word == "vertex") {
-      Vector3 point = Vector3::Zero();
-      for (double& coordinate : point) {
-        scanner.expect("all coordinates of a vertex");
-        coordinate = scanner.coordinate();
-      }
-      points.push_back(point);
-      ++number_of_vertices;
-    } else if (word == "endfacet") {
-      if (number_of_vertices != 3) {
-        scanner.fail("a facet does not have three vertices", "correct it or write the file again");
-      }
-      return;
-    }
-  }
-  scanner.fail_at_end("the keyword endfacet");
-}
-
 /// Reads ASCII STL.
 void read_text_stl(Text_scanner& scanner, std::vector<Vector3>& points)
 {
@@ -157,15 +134,27 @@ void read_text_stl(Text_scanner& scanner, std::vector<Vector3>& points)
     scanner.fail("neither ASCII STL nor binary STL: the keyword solid is missing", "check the ending of the file name");
   }
   bool is_complete = false;
+  std::size_t first = 0; // of the points of a facet
   while (scanner.skip_blanks()) {
     const std::string_view word = scanner.word();
-    if (word == "facet") {
-      read_facet(scanner, points);
-    }
     is_complete = word == "endsolid" || word == "end"; // some write "end solid"
-    if (word == "solid" || is_complete) {
+    if (word == "vertex") {
+      Vector3& point = points.emplace_back();
+      for (double& coordinate : point) {
+        scanner.expect("all coordinates of a vertex");
+        coordinate = scanner.coordinate();
+      }
+    } else if (word == "endfacet") {
+      if (points.size() != first + 3) {
+        scanner.fail("a facet does not have three vertices", "correct it or write the file again");
+      }
+      first = points.size();
+    } else if (word == "solid" || is_complete) {
       scanner.skip_line(); // the name of the solid
     }
+  }
+  if (points.size() != first) {
+    scanner.fail_at_end("the keyword endfacet");
   }
   if (!is_complete) {
     scanner.fail_at_end("the keyword endsolid");
