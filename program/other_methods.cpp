@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace cscd {
 
@@ -62,16 +63,10 @@ Skeletonization_result compute_published_mesh_skeleton(const Input& input, const
 Skeletonization_result compute_graph_skeleton(const Input& input, const Skeletonize_options& options,
                                               Progress_visitor& visitor)
 {
-  // Skeletons are graphs with positions, too.
-  Number_graph graph;
-  for (std::size_t i = 0; i < input.points.size(); ++i) {
-    auto& vertex = graph[add_vertex(graph)];
-    vertex.point = input.points[i];
-    vertex.radius = input.graph->has_radii() ? input.graph->radii[i] : 0;
-  }
-  for (const auto& [a, b] : input.graph->edges) {
-    add_edge(a, b, graph);
-  }
+  Skeleton skeleton = *input.graph; // is a graph with positions, too
+  skeleton.radii.resize(skeleton.number_of_nodes(), 0);
+  skeleton.significance.resize(skeleton.edges.size(), 0);
+  const auto graph = CSCD::internal::make_skeleton_graph<Number_graph>(skeleton, std::vector<std::size_t>());
   const CSCD::Spatial_graph_traits traits(graph, CSCD::internal::bundled_point_map(graph));
   Skeletonization_result result = run_skeletonization(traits, CSCD::Graph_policies(), options, visitor);
   result.skeleton.separators.clear(); // sets of vertices, no curves

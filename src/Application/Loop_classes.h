@@ -160,19 +160,17 @@ private:
     if (size() == 0) {
       return;
     }
-    std::vector<Segment> loops;
-    std::vector<Segment> dual_loops;
+    std::vector<Box> loops;
+    std::vector<Box> dual_loops;
     for (Index i = 0; i < size(); ++i) {
       add_segments(loop_points(m_trees.left_over()[i]), i, loops);
       add_segments(dual_loop_points(m_trees.left_over()[i]), i, dual_loops);
     }
-    std::vector<Box> boxes = make_boxes(loops);
-    std::vector<Box> dual_boxes = make_boxes(dual_loops);
-    CGAL::box_intersection_d(boxes.begin(), boxes.end(), dual_boxes.begin(), dual_boxes.end(),
+    CGAL::box_intersection_d(loops.begin(), loops.end(), dual_loops.begin(), dual_loops.end(),
                              [&](const Box& a, const Box& b) {
-                               const Index i = a.info()->loop;
-                               const Index j = b.info()->loop;
-                               if (m_component[i] == m_component[j] && passes_above(*a.info(), *b.info())) {
+                               const Index i = a.info().loop;
+                               const Index j = b.info().loop;
+                               if (m_component[i] == m_component[j] && passes_above(a.info(), b.info())) {
                                  m_linking[i].flip(j);
                                }
                              });
@@ -184,30 +182,21 @@ private:
     Index loop;
   };
 
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, const Segment*>;
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Segment>;
 
   /// Adds the sides of `polygon`, turned to a direction where no two edges of a usual mesh are seen as one.
-  static void add_segments(const Polygon& polygon, Index loop, std::vector<Segment>& segments)
+  static void add_segments(const Polygon& polygon, Index loop, std::vector<Box>& segments)
   {
     const Vector3 x = Vector3(0.81, 0.37, -0.23).normalized();
     const Vector3 y = x.cross(Vector3(0.39, -0.21, 0.87)).normalized();
     const Vector3 z = x.cross(y);
     const auto turned = [&](const Vector3& point) { return Vector3(x.dot(point), y.dot(point), z.dot(point)); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      segments.push_back({{turned(polygon[i]), turned(polygon[i + 1 < polygon.size() ? i + 1 : 0])}, loop});
-    }
-  }
-
-  static std::vector<Box> make_boxes(const std::vector<Segment>& segments)
-  {
-    std::vector<Box> boxes;
-    boxes.reserve(segments.size());
-    for (const Segment& segment : segments) {
+      const Segment segment{{turned(polygon[i]), turned(polygon[i + 1 < polygon.size() ? i + 1 : 0])}, loop};
       const Vector3 lower = segment.ends[0].cwiseMin(segment.ends[1]);
       const Vector3 upper = segment.ends[0].cwiseMax(segment.ends[1]);
-      boxes.emplace_back(CGAL::Bbox_2(lower.x(), lower.y(), upper.x(), upper.y()), &segment);
+      segments.emplace_back(CGAL::Bbox_2(lower.x(), lower.y(), upper.x(), upper.y()), segment);
     }
-    return boxes;
   }
 
   /// Whether the segments cross seen along z, and `a` is above `b` there.

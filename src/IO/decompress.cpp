@@ -18,7 +18,6 @@
 #include <limits>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CSCD::internal {
@@ -41,21 +40,6 @@ constexpr const char* remedy_of_damage = "fetch or write the file again";
 } // namespace
 
 #ifdef CSCD_WITH_ZLIB
-
-std::string inflate(std::string_view bytes, std::size_t size, const std::string& filename)
-{
-  if (size / max_deflate_ratio > bytes.size()) {
-    fail_to_decompress(filename);
-  }
-  std::string result(size, '\0');
-  uLongf size_of_result = uLongf(size);
-  const int status = uncompress(reinterpret_cast<Bytef*>(result.data()), &size_of_result,
-                                reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()));
-  if (status != Z_OK || size_of_result != size) {
-    fail_to_decompress(filename);
-  }
-  return result;
-}
 
 struct Inflating_stream::State
 {
@@ -110,11 +94,6 @@ struct Inflating_stream::State
 
 #else
 
-std::string inflate(std::string_view, std::size_t, const std::string& filename)
-{
-  fail_without_zlib(filename);
-}
-
 /// There is none.
 struct Inflating_stream::State
 {
@@ -144,14 +123,14 @@ void Inflating_stream::read(char* bytes, std::size_t size)
   }
 }
 
-std::string Inflating_stream::read_all()
+std::string Inflating_stream::read_all(std::size_t max_size)
 {
   constexpr std::size_t block_size = std::size_t(1) << 20U; // bytes; large enough that the calls do not count
   std::string result;
   for (std::size_t added = block_size; added > 0;) {
     const std::size_t size = result.size();
-    result.resize(size + block_size);
-    added = m_state->read_some(result.data() + size, block_size);
+    result.resize(size + std::min(block_size, max_size - size));
+    added = m_state->read_some(result.data() + size, result.size() - size);
     result.resize(size + added);
   }
   return result;

@@ -116,11 +116,6 @@ private:
 /// The greatest compression ratio of deflate: 258 bytes to 2 bits.
 inline constexpr std::size_t max_deflate_ratio = 1032;
 
-/// Decompresses zlib.
-/// \param size of the result
-/// \throw File_error if the result has another size, if the data are damaged, or if this is built without zlib
-std::string inflate(std::string_view bytes, std::size_t size, const std::string& filename);
-
 /// Decompresses zlib or gzip, piece by piece.
 class Inflating_stream
 {
@@ -135,8 +130,8 @@ public:
   void read(char* bytes, std::size_t size);
   /// Passes over `size` bytes. \throw File_error if there are not as many, or they are damaged
   void skip(std::size_t size);
-  /// All that is left. \throw File_error if it is damaged, or ends within a stream
-  std::string read_all();
+  /// All that is left, but at most `max_size` bytes. \throw File_error if it is damaged, or ends within a stream
+  std::string read_all(std::size_t max_size = std::string::npos);
 
 private:
   struct State;

@@ -11,13 +11,14 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
-#include <cstddef>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CSCD::internal {
 
+/// Points are checked behind the parser, and so are corners of polygons, as files may have faces before vertices.
 /// \param filename for messages
 /// \param contents that are read: points, normals and polygons for a mesh or points; points, radii, openings and lines for
 ///        a skeleton. The rest is passed over: faults there do not matter, and it takes no memory
@@ -48,27 +49,8 @@ Parser parse_swc;
   throw File_error(filename + ": " + fault + "; " + remedy);
 }
 
-/// The number of points as an index is checked here, so that no parser can overflow `Index`.
-inline void check_number_of_points(std::size_t number_of_points, const std::string& filename)
-{
-  if (number_of_points >= no_index) {
-    fail_in_file(filename, "there are more than 4 billion points", "split or simplify the mesh");
-  }
-}
-
-/// \throw File_error if a polygon has a corner that is not one of the points: files may have faces before vertices, so
-///        that this is known only at their end
-inline void check_corners(const Shape_file& shape, const std::string& filename)
-{
-  for (const Index corner : shape.corners) {
-    if (corner >= shape.points.size()) {
-      fail_in_file(filename,
-                   "a face names vertex " + std::to_string(corner) + ", but there are only " +
-                       std::to_string(shape.points.size()) + " (counted from 0)",
-                   "the file may be truncated, fetch or write it again");
-    }
-  }
-}
+/// \throw File_error if there are more points than indices, or one is not finite
+void check_points(const std::vector<Vector3>& points, const std::string& filename);
 
 /// The meaning of an ending of file names.
 struct File_format

@@ -80,12 +80,6 @@ public:
       m_buffers.push_back(buffer_bytes(buffer));
     }
     add_scene();
-    check_number_of_points(m_shape.points.size(), m_filename);
-    for (const Vector3& point : m_shape.points) {
-      if (!point.allFinite()) {
-        fail("a node moves a vertex out of the range of numbers");
-      }
-    }
     return std::move(m_shape);
   }
 
@@ -284,18 +278,6 @@ private:
     return result;
   }
 
-  std::vector<Vector3> points(std::size_t i) const
-  {
-    std::vector<Vector3> result =
-        elements<Vector3>(i, none, "f", "positions are not vectors of floating-point numbers");
-    for (const Vector3& point : result) {
-      if (!point.allFinite()) {
-        fail("a position is not finite");
-      }
-    }
-    return result;
-  }
-
   std::vector<Index> indices(const Json& primitive, std::size_t number_of_points) const
   {
     std::vector<Index> result;
@@ -382,7 +364,8 @@ private:
     if (position == none) {
       return;
     }
-    std::vector<Vector3> its_points = points(position);
+    std::vector<Vector3> its_points =
+        elements<Vector3>(position, none, "f", "positions are not vectors of floating-point numbers");
     const std::vector<Index> corners = indices(primitive, its_points.size());
     const std::size_t step = mode == triangle_list ? 3 : 1;
     const std::size_t number_of_triangles = corners.size() < 3 ? 0 : (corners.size() - 3) / step + 1;

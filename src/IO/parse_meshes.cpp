@@ -117,43 +117,14 @@ void read_binary_stl(Byte_scanner& scanner, const std::string& filename, std::ve
                      " triangles are announced, there is room for " + std::to_string(room),
                  "check the ending of the file name, or fetch the file again");
   }
-  check_number_of_points(3 * number_of_triangles, filename);
   points.reserve(3 * number_of_triangles);
   for (std::size_t i = 0; i < number_of_triangles; ++i) {
     scanner.skip(stl_normal_size);
     for (int corner = 0; corner < 3; ++corner) {
-      const Vector3 point = scanner.vector<float>();
-      if (!point.allFinite()) {
-        fail_in_file(filename, "triangle " + std::to_string(i) + " has a coordinate that is not finite",
-                     "remove the triangle or write the file again");
-      }
-      points.push_back(point);
+      points.push_back(scanner.vector<float>());
     }
     scanner.skip(stl_attribute_size);
   }
-}
-
-void read_facet(Text_scanner& scanner, std::vector<Vector3>& points)
-{
-  int number_of_vertices = 0;
-  while (scanner.skip_blanks()) {
-    const std::string_view word = scanner.word();
-    if (word == "vertex") {
-      Vector3 point = Vector3::Zero();
-      for (double& coordinate : point) {
-        scanner.expect("all coordinates of a vertex");
-        coordinate = scanner.coordinate();
-      }
-      points.push_back(point);
-      ++number_of_vertices;
-    } else if (word == "endfacet") {
-      if (number_of_vertices != 3) {
-        scanner.fail("a facet does not have three vertices", "correct it or write the file again");
-      }
-      return;
-    }
-  }
-  scanner.fail_at_end("the keyword endfacet");
 }
 
 /// Reads ASCII STL.
@@ -163,15 +134,27 @@ void read_text_stl(Text_scanner& scanner, std::vector<Vector3>& points)
     scanner.fail("neither ASCII STL nor binary STL: the keyword solid is missing", "check the ending of the file name");
   }
   bool is_complete = false;
+  std::size_t first = 0; // of the points of a facet
   while (scanner.skip_blanks()) {
     const std::string_view word = scanner.word();
-    if (word == "facet") {
-      read_facet(scanner, points);
-    }
     is_complete = word == "endsolid" || word == "end"; // some write "end solid"
-    if (word == "solid" || is_complete) {
+    if (word == "vertex") {
+      Vector3& point = points.emplace_back();
+      for (double& coordinate : point) {
+        scanner.expect("all coordinates of a vertex");
+        coordinate = scanner.coordinate();
+      }
+    } else if (word == "endfacet") {
+      if (points.size() != first + 3) {
+        scanner.fail("a facet does not have three vertices", "correct it or write the file again");
+      }
+      first = points.size();
+    } else if (word == "solid" || is_complete) {
       scanner.skip_line(); // the name of the solid
     }
+  }
+  if (points.size() != first) {
+    scanner.fail_at_end("the keyword endfacet");
   }
   if (!is_complete) {
     scanner.fail_at_end("the keyword endsolid");
@@ -222,8 +205,6 @@ Shape_file parse_obj(std::string_view content, const std::string& filename, unsi
     shape.has_polygons = shape.has_polygons || statement == "f";
     scanner.skip_line();
   }
-  check_number_of_points(shape.points.size(), filename);
-  check_corners(shape, filename);
   return shape;
 }
 
@@ -237,7 +218,6 @@ Shape_file parse_off(std::string_view content, const std::string& filename, unsi
   };
   const bool has_normals = read_off_keyword(scanner);
   const std::size_t number_of_points = next_count("the number of vertices");
-  check_number_of_points(number_of_points, filename);
   const std::size_t number_of_polygons = next_count("the number of faces");
   scanner.skip_line();
   Shape_file shape;
@@ -263,7 +243,7 @@ Shape_file parse_stl(std::string_view content, const std::string& filename, unsi
   } else {
     read_text_stl(text, result.points);
   }
-  check_number_of_points(result.points.size(), filename);
+  check_points(result.points, filename); // equal ones are found by their coordinates, and by indices
   merge_equal_points(result.points, result.corners);
   for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
     result.first_corner.push_back(end);

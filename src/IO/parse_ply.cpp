@@ -77,7 +77,6 @@ public:
             element, [](std::size_t, const Ply_property&, std::size_t, double) {}, [](std::size_t) {});
       }
     }
-    check_corners(m_shape, m_filename);
     return std::move(m_shape);
   }
 
@@ -231,15 +230,12 @@ private:
     const bool has_normals = m_contents != skeleton_content && element.has_number("nx") && element.has_number("ny") &&
                              element.has_number("nz");
     const bool has_radii = (m_contents & skeleton_content) != 0 && element.has_number("radius");
-    const std::size_t first = m_shape.points.size();
     if (!has_normals && !has_radii && read_point_records(element, find_places(element, names))) {
-      check_finite(first);
       return;
     }
-    m_shape.points.reserve(first + std::min(element.number_of_items, remaining() / 3 + 1));
+    m_shape.points.reserve(m_shape.points.size() + std::min(element.number_of_items, remaining() / 3 + 1));
     read_numbers(element, names, [&](std::size_t, const std::vector<double>& values) {
       m_shape.points.emplace_back(values[0], values[1], values[2]);
-      check_finite(m_shape.points.size() - 1);
       if (has_normals) {
         m_shape.normals.emplace_back(values[3], values[4], values[5]);
       }
@@ -247,7 +243,6 @@ private:
         m_shape.radii.push_back(values[6]);
       }
     });
-    check_number_of_points(m_shape.points.size(), m_filename);
   }
 
   /// Reads the coordinates of binary vertices that are records of one size, column by column.
@@ -265,7 +260,6 @@ private:
       return false;
     }
     const std::size_t first = m_shape.points.size();
-    check_number_of_points(first + element.number_of_items, m_filename);
     m_shape.points.resize(first + element.number_of_items);
     const char* column = m_bytes->skip(element.number_of_items * record_size);
     for (std::size_t p = 0; p < places.size(); column += element.properties[p].type.size, ++p) {
@@ -276,15 +270,6 @@ private:
       }
     }
     return true;
-  }
-
-  void check_finite(std::size_t first) const
-  {
-    for (std::size_t i = first; i < m_shape.points.size(); ++i) {
-      if (!m_shape.points[i].allFinite()) {
-        fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
-      }
-    }
   }
 
   void read_polygons(const Ply_element& element)

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -54,12 +55,7 @@ public:
     m_shape.points.reserve(number_of_points() + coordinates.size() / 3);
     for (std::size_t i = 0; i < coordinates.size(); i += 3) {
       m_shape.points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-      if (!m_shape.points.back().allFinite()) {
-        fail("point " + std::to_string(number_of_points() - 1) +
-             " (counted from 0) has a coordinate that is not finite");
-      }
     }
-    check_number_of_points(number_of_points(), m_filename);
   }
 
   /// \param kind of cells: `verts`, `lines`, `polys` or `strips`
@@ -345,7 +341,12 @@ private:
       const bool is_partial = i + 1 == number_of_blocks && size_of_last_block > 0;
       const std::size_t size = is_partial ? size_of_last_block : size_of_block;
       count_bytes(size);
-      result += inflate(bytes.take(sizes[i]), size, m_filename);
+      std::istringstream block(bytes.take(sizes[i]));
+      const std::string inflated = Inflating_stream(block, m_filename).read_all(size + 1);
+      if (inflated.size() != size) {
+        m_collector.fail("a block of an array has another size than its header says");
+      }
+      result += inflated;
     }
     return result;
   }

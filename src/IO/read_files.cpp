@@ -143,7 +143,6 @@ void check_skeleton(Shape_file& shape, const std::string& filename)
   if (shape.points.empty()) {
     fail_in_file(filename, "the file has no nodes", "fetch or write it again");
   }
-  check_number_of_points(shape.points.size(), filename);
   if (!shape.radii.empty() && shape.radii.size() != shape.points.size()) {
     fail("some nodes have a radius and some have none");
   }
@@ -168,9 +167,24 @@ void check_skeleton(Shape_file& shape, const std::string& filename)
   shape.lines.resize(kept);
 }
 
+/// \throw File_error if a polygon has a corner that is not one of the points
+void check_corners(const Shape_file& shape, const std::string& filename)
+{
+  for (const Index corner : shape.corners) {
+    if (corner >= shape.points.size()) {
+      fail_in_file(filename,
+                   "a face names vertex " + std::to_string(corner) + ", but there are only " +
+                       std::to_string(shape.points.size()) + " (counted from 0)",
+                   "the file may be truncated, fetch or write it again");
+    }
+  }
+}
+
 /// \param contents that are asked for and that the format holds
 void check(Shape_file& shape, const std::string& filename, unsigned contents)
 {
+  check_points(shape.points, filename);
+  check_corners(shape, filename);
   if (contents == skeleton_content || ((contents & skeleton_content) != 0 && !shape.lines.empty())) {
     check_skeleton(shape, filename);
     return;
@@ -187,6 +201,21 @@ void check(Shape_file& shape, const std::string& filename, unsigned contents)
 }
 
 } // namespace
+
+void check_points(const std::vector<Vector3>& points, const std::string& filename)
+{
+  if (points.size() >= no_index) {
+    fail_in_file(filename, "there are more than 4 billion points", "split or simplify the mesh");
+  }
+  const auto place =
+      std::find_if(points.begin(), points.end(), [](const Vector3& point) { return !point.allFinite(); });
+  if (place != points.end()) {
+    fail_in_file(filename,
+                 "vertex " + std::to_string(place - points.begin()) +
+                     " has a coordinate that is not finite (vertices count from 0)",
+                 "correct or write the file again");
+  }
+}
 
 const File_format& skeleton_format(const std::string& filename)
 {

@@ -41,9 +41,9 @@ double finite_significance(double significance)
 }
 
 /// Writes a position as `x y z`.
-void write_coordinates(std::ostream& out, const Vector3& point)
+std::ostream& write_coordinates(std::ostream& out, const Vector3& point)
 {
-  out << point.x() << ' ' << point.y() << ' ' << point.z();
+  return out << point.x() << ' ' << point.y() << ' ' << point.z();
 }
 
 /// The structure identifier of a node in SWC: 5 a fork, 6 an end, 0 anything else.
@@ -137,9 +137,7 @@ void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skelet
 {
   internal::Exact_format format(out);
   for (const Vector3& point : skeleton.points) {
-    out << "n ";
-    internal::write_coordinates(out, point);
-    out << '\n';
+    internal::write_coordinates(out << "n ", point) << '\n';
   }
   for (const auto& [source, target] : skeleton.edges) {
     out << "c " << source << ' ' << target << '\n';
@@ -187,9 +185,7 @@ void write_obj(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
   internal::Exact_format format(out);
   for (const Vector3& point : skeleton.points) {
-    out << "v ";
-    internal::write_coordinates(out, point);
-    out << '\n';
+    internal::write_coordinates(out << "v ", point) << '\n';
   }
   for (const std::vector<Index>& branch : internal::split_into_branches(internal::node_neighbors(skeleton))) {
     out << (branch.size() == 1 ? 'p' : 'l');
@@ -233,8 +229,7 @@ void write_polylines(std::ostream& out, const internal::Skeleton_content& skelet
   for (const std::vector<Index>& branch : internal::split_into_branches(internal::node_neighbors(skeleton))) {
     out << branch.size();
     for (const Index v : branch) {
-      out << ' ';
-      internal::write_coordinates(out, skeleton.points[v]);
+      internal::write_coordinates(out << ' ', skeleton.points[v]);
     }
     out << '\n';
   }
@@ -263,13 +258,9 @@ void write_swc(std::ostream& out, const internal::Skeleton_content& skeleton, co
   for (const Index v : forest.order()) {
     out << id[v] << ' ' << (v == soma ? soma_type : options.type.value_or(internal::swc_type(neighbors[v].size())))
         << ' ';
-    internal::write_coordinates(out, options.scale * skeleton.points[v]);
-    out << ' ' << (skeleton.has_radius ? options.scale * skeleton.radii[v] : 0) << ' ';
-    if (forest.is_root(v)) {
-      out << "-1\n";
-    } else {
-      out << id[forest.parent(v)] << '\n';
-    }
+    internal::write_coordinates(out, options.scale * skeleton.points[v])
+        << ' ' << (skeleton.has_radius ? options.scale * skeleton.radii[v] : 0) << ' '
+        << (forest.is_root(v) ? "-1" : std::to_string(id[forest.parent(v)])) << '\n';
   }
   format.finish();
 }

@@ -163,12 +163,9 @@ void write_correspondence(std::ostream& out, const std::vector<Vertex_label>& la
 {
   internal::Exact_format format(out);
   out << "vertex,node,branch\n";
+  const auto known = [](Index index) { return index != no_index ? std::optional<std::size_t>(index) : std::nullopt; };
   for (std::size_t v = 0; v < labels.size(); ++v) {
-    if (labels[v].node != no_index) {
-      internal::write_row(out, v, labels[v].node, labels[v].branch);
-    } else {
-      internal::write_row(out, v, "", "");
-    }
+    internal::write_row(out, v, known(labels[v].node), known(labels[v].branch));
   }
   format.finish();
 }
