@@ -125,7 +125,7 @@ void Inflating_stream::read(char* bytes, std::size_t size)
 
 std::string Inflating_stream::read_all(std::size_t max_size)
 {
-  constexpr std::size_t block_size = std::size_t(1) << 20U; // bytes; large enough that the calls do not count
+  constexpr std::size_t block_size = std::size_t(1) << 16U; // bytes; as for files that are not compressed
   std::string result;
   for (std::size_t added = block_size; added > 0;) {
     const std::size_t size = result.size();

@@ -227,7 +227,7 @@ std::string read_content(std::istream& in, const std::string& name, const std::s
   if (has_ending(format, gzip_ending)) {
     return Inflating_stream(in, name).read_all();
   }
-  constexpr std::size_t block_size = std::size_t(1) << 20; // bytes; large enough that the calls do not count
+  constexpr std::size_t block_size = std::size_t(1) << 16U; // bytes; the calls do not count, and small files are fast
   std::string content;
   content.reserve(remaining_size(in) + block_size); // growing, it would be in memory twice
   while (in) {
