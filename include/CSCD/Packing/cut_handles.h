@@ -185,17 +185,11 @@ public:
   {
   }
 
-  /// Cuts all handles that can be cut; O(n log n) for each round, and a round cuts many. \return the number of
-  /// separators that were added
-  std::size_t operator()()
+  /// Cuts all handles that can be cut; O(n log n) for each round, and a round cuts many.
+  void operator()()
   {
-    std::size_t count = 0;
-    std::size_t added = 1;
-    while (added > 0 && has_handles()) {
-      added = cut();
-      count += added;
+    while (has_handles() && cut()) {
     }
-    return count;
   }
 
 private:
@@ -205,8 +199,8 @@ private:
     return std::any_of(pieces.begin(), pieces.end(), [](const Cut_graph::Piece& piece) { return piece.genus() > 0; });
   }
 
-  /// Cuts along all loops that are disjoint and each lower the genus by one. \return their number
-  std::size_t cut()
+  /// Cuts along all loops that are disjoint and each lower the genus by one. \return whether there are some
+  bool cut()
   {
     m_room.assign(m_surface.number_of_halfedges(), 1.);
     for (const Index packed : m_packing.packed()) {
@@ -242,8 +236,8 @@ private:
   }
 
   /// Packs the separators of `trial`, the last in `cut_graph`, that lower the genus: from the worst to the best, one
-  /// with different pieces on its sides is left out, and the pieces become one. \return their number
-  std::size_t pack(const std::vector<Separator>& trial, const Cut_graph& cut_graph)
+  /// with different pieces on its sides is left out, and the pieces become one. \return whether one is packed
+  bool pack(const std::vector<Separator>& trial, const Cut_graph& cut_graph)
   {
     Disjoint_sets pieces(cut_graph.pieces().size());
     std::vector<Index> needed;
@@ -258,7 +252,7 @@ private:
       m_packing.insert_last();
     }
     m_packing.cut_again();
-    return needed.size();
+    return !needed.empty();
   }
 
   void take_room(const std::vector<Edge_crossing>& crossings)
