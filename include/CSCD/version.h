@@ -9,6 +9,6 @@
 #define CSCD_VERSION_MAJOR 0
 #define CSCD_VERSION_MINOR 3
 #define CSCD_VERSION_PATCH 0
-#define CSCD_VERSION "0.3.0"
+#define CSCD_VERSION "0.4.0"
 
 #endif // CSCD_VERSION_H
