@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pipeline step by step: its answer, its parameters, its visitor, its report.
+// The pipeline step by step: its answer and the order of its stages.
 
 #include "support/convert_shape.h"
 #include "support/shapes.h"
@@ -119,29 +119,5 @@ TEST_F(Curve_skeletonization, requires_stages_in_order)
   EXPECT_THROW(skeletonization.convert_to_skeleton(skeleton), CGAL::Precondition_exception);
   EXPECT_THROW(skeletonization.packed_separators(), CGAL::Precondition_exception);
 }
-
-/// Records its calls, and stops the work at call number `last` of `go_further()`.
-struct Recorder : CSCD::Default_skeletonization_visitor
-{
-  void on_stage_begin(CSCD::Skeletonization_stage stage) { begun.push_back(stage); }
-  void on_stage_end(CSCD::Skeletonization_stage stage) { ended.push_back(stage); }
-  void progress(double fraction)
-  {
-    is_monotone = is_monotone && (begun.size() > number_of_stages_heard || fraction >= last_fraction);
-    number_of_stages_heard = begun.size();
-    last_fraction = fraction;
-  }
-  bool go_further() { return ++questions != last; }
-
-  std::size_t last = 0;
-  std::size_t questions = 0;
-  std::vector<CSCD::Skeletonization_stage> begun;
-  std::vector<CSCD::Skeletonization_stage> ended;
-  std::size_t number_of_stages_heard = 0;
-  double last_fraction = 0;
-  bool is_monotone = true;
-};
-
-using Visited_skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Recorder&>;
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
 #include "support/invariants.h"
-#include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include "support/sheet_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
@@ -18,10 +17,8 @@
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/concepts.h>
-#include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -34,7 +31,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <string>
 
 namespace {
 
@@ -76,9 +72,7 @@ TEST_P(Published_method, keeps_the_invariants)
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(GetParam().make());
   Skeleton skeleton;
   const Skeletonization_report report = skeletonize(mesh, skeleton);
-  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
-    ADD_FAILURE() << violation;
-  }
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), CSCD::test::Violations{});
   EXPECT_EQ(report.betti_number, report.genus);
   EXPECT_EQ(CSCD::test::count_inside(mesh, skeleton).number_of_nodes_outside, 0u);
   EXPECT_EQ(report.number_of_sources,
@@ -88,7 +82,7 @@ TEST_P(Published_method, keeps_the_invariants)
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, Published_method, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 TEST(Published_policies, find_the_tips_of_limbs)
 {
@@ -188,9 +182,7 @@ void expect_two_cycles_of_two_handles(const CSCD::Field_search_settings& setting
   const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings), 64);
   EXPECT_EQ(report.betti_number, 2u);
   EXPECT_EQ(report.number_of_sources, 64u);
-  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
-    ADD_FAILURE() << violation;
-  }
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), CSCD::test::Violations{});
 }
 
 TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
@@ -243,9 +235,7 @@ TEST(Published_policies, cut_handles_that_no_source_finds)
   const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(), 1);
   EXPECT_GE(report.number_of_handle_cuts, 1u);
   EXPECT_EQ(report.betti_number, 2u);
-  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
-    ADD_FAILURE() << violation;
-  }
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), CSCD::test::Violations{});
 }
 
 /// Expects the nodes of a torus of radii 3 and 1 at this distance from its axis, with the tolerance of coarse sectors.
@@ -303,15 +293,13 @@ TEST_P(Published_method_on_hard_shapes, keeps_the_invariants)
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(GetParam().make());
   Skeleton skeleton;
   const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(), few_sources);
-  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
-    ADD_FAILURE() << violation;
-  }
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), CSCD::test::Violations{});
 }
 
 INSTANTIATE_TEST_SUITE_P(Closed, Published_method_on_hard_shapes, testing::ValuesIn(CSCD::test::hard_closed_shapes()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 INSTANTIATE_TEST_SUITE_P(Open, Published_method_on_hard_shapes, testing::ValuesIn(CSCD::test::open_shapes()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 class Published_invariance : public testing::TestWithParam<Shape_maker>
 {
@@ -331,29 +319,13 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Asymmetric, Published_invariance, testing::ValuesIn(CSCD::test::asymmetric_shapes()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 TEST_P(Published_invariance, under_renumbering)
 {
   const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(m_shape, 1);
   const Plain_skeleton expected = renamed(skeletonized(m_shape), other.new_number);
   EXPECT_EQ(difference(expected, skeletonized(other.shape), relative_tolerance * diagonal(m_shape)), "");
-}
-
-struct Stopping_visitor : CSCD::Default_skeletonization_visitor
-{
-  void progress(double fraction) { m_fraction = fraction; }
-  bool go_further() const { return m_fraction < 0.3; }
-  double m_fraction = 0;
-};
-
-TEST(Published_policies, can_be_stopped)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
-  const Traits traits(mesh);
-  CSCD::Curve_skeletonization<Traits, Policies, Stopping_visitor> skeletonization(traits);
-  EXPECT_THROW(skeletonization.find_separators(), CSCD::Cancelled_error);
-  EXPECT_LT(skeletonization.report().number_of_sources, Policies::default_number_of_sources / 2);
 }
 
 } // namespace

@@ -3,19 +3,18 @@
 //
 // The library runs on minimal models of the concepts.
 
-#include "Surface/to_indexed_triangles.h"
 #include "archetypes/Policies_archetype.h"
 #include "archetypes/Skeleton_archetype.h"
 #include "archetypes/Skeletonization_traits_archetype.h"
 #include "archetypes/Surface_archetype.h"
 #include "archetypes/Triangle_mesh_archetype.h"
 #include "archetypes/Visitor_archetype.h"
+#include "support/Shape_solid.h"
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -28,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -39,6 +37,7 @@ using CSCD::Vector3;
 using CSCD::test::Input_descriptor_archetype;
 using CSCD::test::Point_archetype;
 using CSCD::test::Policies_archetype;
+using CSCD::test::Shape_solid;
 using CSCD::test::Skeletonization_traits_archetype;
 using CSCD::test::Surface_archetype;
 using CSCD::test::Triangle_mesh_archetype;
@@ -51,23 +50,6 @@ CSCD::test::Shape shape()
 {
   return CSCD::test::y_tube(0.25);
 }
-
-/// The body of a shape.
-class Solid
-{
-public:
-  explicit Solid(const CSCD::test::Shape& shape) : Solid(CSCD::test::to_indexed_triangles(shape)) {}
-  operator const Triangulated_solid&() const { return m_solid; }
-
-private:
-  explicit Solid(CSCD::Indexed_triangles triangles)
-      : m_pairing(triangles.faces, triangles.points.size()), m_solid(std::move(triangles), std::move(m_pairing))
-  {
-  }
-
-  CSCD::Halfedge_pairing m_pairing;
-  Triangulated_solid m_solid;
-};
 
 /// Expects every one of `number` vertices in one node.
 template <class Skeleton>
@@ -100,8 +82,8 @@ TEST(Archetypes, of_all_that_the_free_function_takes)
 
 TEST(Archetypes, of_traits_for_the_local_method_step_by_step)
 {
-  const Solid solid(shape());
-  const Skeletonization_traits_archetype<Triangulated_solid> traits(solid);
+  const Shape_solid solid(shape());
+  const Skeletonization_traits_archetype<Triangulated_solid> traits(*solid);
   CSCD::Curve_skeletonization skeletonization(traits);
   EXPECT_GT(skeletonization.find_separators(), 0u);
   EXPECT_GT(skeletonization.pack_separators(), 0u);

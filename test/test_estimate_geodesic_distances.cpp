@@ -4,8 +4,8 @@
 // Distances on meshes against exact shortest paths and CGAL's heat method; kinds of meshes, sources and parameters.
 
 #include "Surface/to_surface.h"
-#include "Traits/message_of.h"
 #include "support/convert_shape.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Heat_method.h>

@@ -3,8 +3,8 @@
 //
 // Distances on samples of surfaces with known ones; kinds of ranges and sources.
 
-#include "Traits/message_of.h"
 #include "support/Shape.h"
+#include "support/message_of.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/estimate_geodesic_distances_on_points.h>

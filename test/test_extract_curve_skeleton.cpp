@@ -7,7 +7,6 @@
 #include "support/Inside_count.h"
 #include "support/expect_skeleton.h"
 #include "support/invariants.h"
-#include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/extract_curve_skeleton.h>
 
@@ -71,9 +70,9 @@ TEST_P(Closed_shape, has_its_skeleton_inside)
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, Closed_shape, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 INSTANTIATE_TEST_SUITE_P(Hard, Closed_shape, testing::ValuesIn(CSCD::test::hard_closed_shapes()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 class Known_skeleton : public Skeletonized_shape
 {
@@ -97,7 +96,7 @@ TEST_P(Known_skeleton, follows_the_known_centreline)
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, Known_skeleton, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 class Open_shape : public Skeletonized_shape
 {
@@ -109,7 +108,8 @@ TEST_P(Open_shape, satisfies_the_invariants)
   EXPECT_EQ(m_report.number_of_bridged_borders + m_report.number_of_wide_borders, m_shape.number_of_border_cycles);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Open_shape, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(All, Open_shape, testing::ValuesIn(CSCD::test::open_shapes()),
+                         testing::PrintToStringParamName());
 
 /// Removes the triangles with all corners in the part of space `is_removed`.
 template <class Predicate>

@@ -5,7 +5,7 @@
 
 #include "support/Similarity.h"
 #include "support/convert_shape.h"
-#include "support/name_of_shape.h"
+#include "support/invariants.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Cut_locus_extraction.h>
 #include <CSCD/Published/Cut_tree.h>
@@ -16,7 +16,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/graph/connected_components.hpp>
 #include <boost/range/iterator_range.hpp>
 #include <gtest/gtest.h>
 
@@ -40,25 +39,9 @@ using CSCD::test::operator*;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
+using CSCD::test::skeleton_facts;
 using CSCD::test::Triple;
 namespace parameters = CSCD::parameters;
-
-std::size_t number_of_components(const Graph& graph)
-{
-  std::vector<std::size_t> component(num_vertices(graph));
-  return std::size_t(boost::connected_components(graph, component.data()));
-}
-
-std::size_t betti_number(const Graph& graph)
-{
-  return num_edges(graph) + number_of_components(graph) - num_vertices(graph);
-}
-
-std::size_t number_of_tips(const Graph& graph)
-{
-  const auto all = vertices(graph);
-  return std::size_t(std::count_if(all.first, all.second, [&](auto v) { return degree(v, graph) == 1; }));
-}
 
 double length(const Graph& graph)
 {
@@ -126,8 +109,8 @@ TEST(extract_cut_locus, of_a_torus_is_what_symmetry_says)
   const Shape torus = CSCD::test::torus(major_radius, 1, 40);
   const double edge = CSCD::test::mean_edge_length(torus);
   const Graph graph = cut_locus_of(torus, {major_radius + 1, 0, 0});
-  EXPECT_EQ(number_of_components(graph), 1u);
-  EXPECT_EQ(betti_number(graph), 2u);
+  EXPECT_EQ(skeleton_facts(graph).number_of_components, 1u);
+  EXPECT_EQ(skeleton_facts(graph).betti_number, 2u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     const Triple p = CSCD::test::to_triple(graph[v].point);
     const double from_meridian = p[0] < 0 ? std::fabs(p[1]) : std::numeric_limits<double>::max();
@@ -148,8 +131,8 @@ TEST(extract_cut_locus, of_a_tube_is_the_line_opposite)
   const Shape tube = CSCD::test::tube(10, 1, 32, CSCD::test::Tube_end::flat);
   const double edge = CSCD::test::mean_edge_length(tube);
   const Graph graph = cut_locus_of(tube, {5, 0, 1});
-  EXPECT_EQ(number_of_components(graph), 1u);
-  EXPECT_EQ(betti_number(graph), 0u);
+  EXPECT_EQ(skeleton_facts(graph).number_of_components, 1u);
+  EXPECT_EQ(skeleton_facts(graph).betti_number, 0u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     const Triple p = CSCD::test::to_triple(graph[v].point);
     if (p[0] > 1 && p[0] < 9) {
@@ -168,9 +151,9 @@ TEST(extract_cut_locus, of_an_ellipsoid_is_an_arc)
   const Shape ellipsoid = CSCD::test::ellipsoid({2, 1.2, 1}, 5);
   const double edge = CSCD::test::mean_edge_length(ellipsoid);
   const Graph graph = cut_locus_of(ellipsoid, {0, 0, 1});
-  EXPECT_EQ(number_of_components(graph), 1u);
-  EXPECT_EQ(betti_number(graph), 0u);
-  EXPECT_EQ(number_of_tips(graph), 2u);
+  EXPECT_EQ(skeleton_facts(graph).number_of_components, 1u);
+  EXPECT_EQ(skeleton_facts(graph).betti_number, 0u);
+  EXPECT_EQ(skeleton_facts(graph).number_of_tips, 2u);
   EXPECT_GT(length(graph), 0.5);
   EXPECT_LT(distance_to(graph, {0, 0, -1}), edge);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
@@ -189,9 +172,9 @@ TEST_P(Any_surface, has_a_cut_locus_around_each_handle)
   const Shape shape = GetParam().make();
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
   const auto expect_loops = [&](const Graph& graph) {
-    EXPECT_EQ(number_of_components(graph), 1u);
+    EXPECT_EQ(skeleton_facts(graph).number_of_components, 1u);
     if (shape.number_of_components == 1) {
-      EXPECT_EQ(betti_number(graph), 2 * shape.genus);
+      EXPECT_EQ(skeleton_facts(graph).betti_number, 2 * shape.genus);
     }
   };
   Graph graph;
@@ -231,7 +214,8 @@ std::vector<Shape_maker> all_surfaces()
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(extract_cut_locus, Any_surface, testing::ValuesIn(all_surfaces()), CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(extract_cut_locus, Any_surface, testing::ValuesIn(all_surfaces()),
+                         testing::PrintToStringParamName());
 
 TEST(extract_cut_locus, moves_turns_and_scales_with_the_mesh)
 {
@@ -259,8 +243,8 @@ TEST(extract_cut_locus, lies_between_several_sources)
   Graph graph;
   const std::vector<Vertex> poles{nearest_vertex(sphere, {0, 0, 1}), nearest_vertex(sphere, {0, 0, -1})};
   CSCD::extract_cut_locus(mesh, poles, graph);
-  EXPECT_EQ(betti_number(graph), 1u);
-  EXPECT_EQ(number_of_tips(graph), 0u);
+  EXPECT_EQ(skeleton_facts(graph).betti_number, 1u);
+  EXPECT_EQ(skeleton_facts(graph).number_of_tips, 0u);
   expect_length_along_edges(graph, 2 * pi);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     EXPECT_LT(std::fabs(graph[v].point.z()), edge);
@@ -270,7 +254,7 @@ TEST(extract_cut_locus, lies_between_several_sources)
                                   nearest_vertex(sphere, {std::cos(2 * pi / 3), std::sin(2 * pi / 3), 0}),
                                   nearest_vertex(sphere, {std::cos(4 * pi / 3), std::sin(4 * pi / 3), 0})};
   CSCD::extract_cut_locus(mesh, three, graph);
-  EXPECT_EQ(betti_number(graph), 2u) << "three halves of circles from pole to pole";
+  EXPECT_EQ(skeleton_facts(graph).betti_number, 2u) << "three halves of circles from pole to pole";
   expect_length_along_edges(graph, 3 * pi);
 }
 

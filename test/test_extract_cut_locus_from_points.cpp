@@ -5,6 +5,7 @@
 
 #include "support/Similarity.h"
 #include "support/convert_shape.h"
+#include "support/invariants.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Cut_locus_extraction.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/property_map.h>
 
-#include <boost/graph/connected_components.hpp>
 #include <boost/range/iterator_range.hpp>
 #include <gtest/gtest.h>
 
@@ -68,12 +68,6 @@ double distance_from(const Graph& graph, const Triple& p)
   return least;
 }
 
-std::size_t count_components(const Graph& graph)
-{
-  std::vector<std::size_t> component(num_vertices(graph));
-  return component.empty() ? 0 : std::size_t(boost::connected_components(graph, component.data()));
-}
-
 /// Some samples of a shape, with about the same length of edges.
 struct Samples
 {
@@ -98,7 +92,7 @@ TEST(extract_cut_locus_from_points, of_a_sphere_is_the_antipode)
       // At less than that fronts meet in a wider spot: they come from all sides.
       CSCD::extract_cut_locus(CSCD::test::to_points<Point>(points), nearest_point(points, source), graph,
                               parameters::angle_threshold(pi / 3));
-      EXPECT_EQ(count_components(graph), 1u);
+      EXPECT_EQ(CSCD::test::skeleton_facts(graph).number_of_components, 1u);
       for (const auto v : boost::make_iterator_range(vertices(graph))) {
         const Triple opposite = -1 * CSCD::test::unit(points[nearest_point(points, source)]);
         EXPECT_LT(CSCD::test::norm(CSCD::test::to_triple(graph[v].point) - opposite), 4 * samples.edge);
@@ -114,7 +108,7 @@ TEST(extract_cut_locus_from_points, of_a_torus_is_what_symmetry_says)
   const Samples samples(CSCD::test::torus(major_radius, 1, 64), 6000);
   for (const auto& points : samples.clouds) {
     const Graph graph = point_cut_locus(points, {major_radius + 1, 0, 0});
-    EXPECT_EQ(count_components(graph), 1u);
+    EXPECT_EQ(CSCD::test::skeleton_facts(graph).number_of_components, 1u);
     // The vertices of the cut locus are points of the cloud, not moved onto the curve: three edges away at most.
     for (const auto v : boost::make_iterator_range(vertices(graph))) {
       const Triple p = CSCD::test::to_triple(graph[v].point);
@@ -141,7 +135,7 @@ TEST(extract_cut_locus_from_points, of_an_ellipsoid_is_an_arc)
   const Samples samples(CSCD::test::ellipsoid({2, 1.2, 1}, 5), 5000);
   for (const auto& points : samples.clouds) {
     const Graph graph = point_cut_locus(points, {0, 0, 1});
-    EXPECT_EQ(count_components(graph), 1u);
+    EXPECT_EQ(CSCD::test::skeleton_facts(graph).number_of_components, 1u);
     EXPECT_LT(distance_from(graph, {0, 0, -1}), 1.5 * samples.edge);
     for (const auto v : boost::make_iterator_range(vertices(graph))) {
       EXPECT_LT(std::fabs(graph[v].point.y()), 3 * samples.edge);
@@ -185,7 +179,7 @@ TEST(extract_cut_locus_from_points, lies_between_several_sources)
   CSCD::extract_cut_locus(CSCD::test::to_points<Point>(points),
                           std::vector<std::size_t>{nearest_point(points, {0, 0, 1}), nearest_point(points, {0, 0, -1})},
                           graph);
-  EXPECT_EQ(count_components(graph), 1u);
+  EXPECT_EQ(CSCD::test::skeleton_facts(graph).number_of_components, 1u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     EXPECT_LT(std::fabs(graph[v].point.z()), 2.5 * samples.edge);
   }

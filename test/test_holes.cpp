@@ -3,7 +3,7 @@
 //
 // Cycles of the skeleton lead around holes: narrow ones through thick blocks, and hollows of pipes.
 
-#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/simple_shapes.h"
 #include <CSCD/Options.h>
 #include <CSCD/Skeleton.h>

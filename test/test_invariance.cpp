@@ -7,7 +7,6 @@
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
 #include "support/invariants.h"
-#include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include "support/skip_or_fail.h"
 #include <CSCD/extract_curve_skeleton.h>
@@ -70,7 +69,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Asymmetric, Invariance, testing::ValuesIn(CSCD::test::asymmetric_shapes()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 TEST_P(Invariance, under_rotations)
 {
@@ -112,12 +111,13 @@ TEST_P(Renumbering, changes_names_only)
 }
 
 INSTANTIATE_TEST_SUITE_P(Asymmetric, Renumbering, testing::ValuesIn(CSCD::test::asymmetric_shapes()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 INSTANTIATE_TEST_SUITE_P(Known, Renumbering, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 INSTANTIATE_TEST_SUITE_P(Hard, Renumbering, testing::ValuesIn(CSCD::test::hard_closed_shapes()),
-                         CSCD::test::name_of_shape);
-INSTANTIATE_TEST_SUITE_P(Open, Renumbering, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Open, Renumbering, testing::ValuesIn(CSCD::test::open_shapes()),
+                         testing::PrintToStringParamName());
 
 /// Real meshes have equal edges, planes through vertices, and loops of equal length: rounding must not choose between
 /// them. Their triangulations are not symmetric: a symmetric one has several equal starts.
@@ -133,13 +133,7 @@ protected:
     }
     Mesh mesh;
     ASSERT_TRUE(CGAL::IO::read_OFF(file, mesh));
-    for (const Mesh::Vertex_index v : mesh.vertices()) {
-      m_shape.points.push_back(CSCD::test::to_triple(mesh.point(v)));
-    }
-    for (const Mesh::Face_index f : mesh.faces()) {
-      const Mesh::Halfedge_index h = mesh.halfedge(f);
-      m_shape.triangles.push_back({mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
-    }
+    m_shape = CSCD::test::to_shape(mesh);
   }
 
   Shape m_shape;

@@ -5,7 +5,6 @@
 
 #include "support/Allow_threads.h"
 #include "support/Skeleton_comparison.h"
-#include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeletonization_report.h>
@@ -101,6 +100,6 @@ TEST(Calls_from_two_threads, do_not_disturb_each_other)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Number_of_threads, testing::ValuesIn(shapes_of_many_sources()),
-                         CSCD::test::name_of_shape);
+                         testing::PrintToStringParamName());
 
 } // namespace

@@ -3,10 +3,10 @@
 //
 // Geodesics in one call, on meshes of CGAL.
 
-#include "Traits/message_of.h"
 #include "archetypes/Point_archetype.h"
 #include "archetypes/Triangle_mesh_archetype.h"
 #include "support/convert_shape.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/shorten_curve.h>

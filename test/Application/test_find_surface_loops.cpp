@@ -202,6 +202,16 @@ TEST(Find_surface_loops, linked_and_knotted_rings_have_tunnels)
   EXPECT_EQ(0, linking_number(pushed_outwards(tunnel, knot, -0.2), to_polygon(tunnel)) % 2);
 }
 
+TEST(Find_surface_loops, surface_that_cuts_itself_has_loops_of_both_kinds)
+{
+  // A part of the ring is pushed through the opposite wall.
+  const std::vector<Mesh_loop> loops = loops_of(moved(CSCD::test::torus(3, 1, 24), [](const CSCD::test::Triple& p) {
+    return CSCD::test::Triple{p[0] - 6 * std::exp(-CGAL::square(std::atan2(p[1], p[0])) / 0.15), p[1], p[2]};
+  }));
+  EXPECT_EQ(1U, of_kind(loops, Loop_kind::handle).size());
+  EXPECT_EQ(1U, of_kind(loops, Loop_kind::tunnel).size());
+}
+
 TEST(Find_surface_loops, neck_is_a_constriction)
 {
   for (const double neck_radius : {0.3, 0.6}) {

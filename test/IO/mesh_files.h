@@ -6,6 +6,10 @@
 #ifndef CSCD_TEST_IO_MESH_FILES_H
 #define CSCD_TEST_IO_MESH_FILES_H
 
+#include "support/Shape.h"
+
+#include <boost/endian/conversion.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +26,15 @@ struct Mesh_file_content
   std::vector<std::array<double, 3>> points;
   std::vector<std::vector<std::size_t>> polygons;
 };
+
+inline Mesh_file_content file_content(const CSCD::test::Shape& shape)
+{
+  Mesh_file_content result{shape.points, {}};
+  for (const CSCD::test::Triangle& triangle : shape.triangles) {
+    result.polygons.emplace_back(triangle.begin(), triangle.end());
+  }
+  return result;
+}
 
 /// A cube of 8 points and 6 outward squares.
 inline Mesh_file_content cube_of_squares()
@@ -90,31 +103,35 @@ inline std::string ascii_ply(const Mesh_file_content& mesh)
   return ply_header(mesh, "ascii") + as_off.substr(as_off.find('\n', 4) + 1);
 }
 
-/// Appends the bytes of a number, least significant first or last.
+/// The bytes of a number, least significant first or last.
 template <class Number>
-void append_bytes(std::string& bytes, Number number, bool is_little_endian = true)
+std::string number_bytes(Number number, bool is_little_endian = true)
 {
-  static_assert(sizeof(Number) == 4);
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &number, sizeof bits);
-  for (unsigned i = 0; i < 4; ++i) {
-    bytes.push_back(static_cast<char>(bits >> (8 * (is_little_endian ? i : 3 - i)) & 0xff));
+  std::string bytes(sizeof(Number), '\0');
+  std::memcpy(bytes.data(), &number, sizeof(Number));
+  const bool is_native = is_little_endian == (boost::endian::order::native == boost::endian::order::little);
+  return is_native ? bytes : std::string(bytes.rbegin(), bytes.rend());
+}
+
+/// The bytes of numbers, each as a `Number`.
+template <class Number, class Range>
+std::string bytes_of(const Range& numbers, bool is_little_endian = true)
+{
+  std::string result;
+  for (const auto number : numbers) {
+    result += number_bytes(static_cast<Number>(number), is_little_endian);
   }
+  return result;
 }
 
 inline std::string binary_ply(const Mesh_file_content& mesh, bool is_little_endian)
 {
   std::string result = ply_header(mesh, is_little_endian ? "binary_little_endian" : "binary_big_endian");
   for (const auto& point : mesh.points) {
-    for (double coordinate : point) {
-      append_bytes(result, static_cast<float>(coordinate), is_little_endian);
-    }
+    result += bytes_of<float>(point, is_little_endian);
   }
   for (const std::vector<std::size_t>& polygon : mesh.polygons) {
-    result.push_back(static_cast<char>(polygon.size()));
-    for (std::size_t i : polygon) {
-      append_bytes(result, static_cast<std::int32_t>(i), is_little_endian);
-    }
+    result += char(polygon.size()) + bytes_of<std::int32_t>(polygon, is_little_endian);
   }
   return result;
 }
@@ -141,28 +158,15 @@ inline std::string ascii_stl(const Mesh_file_content& mesh)
 inline std::string binary_stl(const Mesh_file_content& mesh, std::string text)
 {
   text.resize(80, ' ');
-  append_bytes(text, static_cast<std::uint32_t>(mesh.polygons.size()));
+  text += number_bytes(std::uint32_t(mesh.polygons.size()));
   for (const std::vector<std::size_t>& polygon : mesh.polygons) {
     text.append(12, '\0'); // the normal
     for (std::size_t i : polygon) {
-      for (double coordinate : mesh.points[i]) {
-        append_bytes(text, static_cast<float>(coordinate));
-      }
+      text += bytes_of<float>(mesh.points[i]);
     }
     text.append(2, '\0');
   }
   return text;
-}
-
-/// The bytes of numbers of type `Number`, least or most significant first.
-template <class Number, class Range>
-std::string bytes_of(const Range& numbers, bool is_little_endian = true)
-{
-  std::string result;
-  for (const auto number : numbers) {
-    append_bytes(result, static_cast<Number>(number), is_little_endian);
-  }
-  return result;
 }
 
 /// The coordinates of all points.

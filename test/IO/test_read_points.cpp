@@ -3,6 +3,7 @@
 //
 // Points and normals from all formats, and files that are refused.
 
+#include "mesh_files.h"
 #include "support/Temporary_folder.h"
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -16,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -26,6 +26,7 @@
 
 namespace {
 
+using namespace test_support;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
@@ -132,14 +133,6 @@ TEST(read_points, reads_tables_by_the_names_of_their_columns)
   EXPECT_EQ(expected_normals, read("1,2,3,0,0,1\n-4,5.5,6e-3,.6,-.8,0\n", ".xyz").normals);
 }
 
-template <class Number>
-void append_number(std::string& bytes, Number number)
-{
-  std::array<char, sizeof(Number)> raw{};
-  std::memcpy(raw.data(), &number, sizeof(Number));
-  bytes.append(raw.data(), raw.size());
-}
-
 /// A PCD file of the expected points and normals, with a field between them and a point that was not measured.
 std::string pcd(const std::string& encoding)
 {
@@ -153,22 +146,14 @@ std::string pcd(const std::string& encoding)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::array<std::array<double, 7>, 3> rows{
       {{1, 2, 3, 77, 0, 0, 1}, {nan, nan, nan, 0, nan, nan, nan}, {-4, 5.5, 6e-3, 77, 0.6, -0.8, 0}}};
-  std::string data;
-  const auto append = [&data](std::size_t field, double number) {
-    if (field < 3) {
-      append_number(data, number);
-    } else if (field == 3) {
-      append_number(data, std::uint32_t(number));
-    } else {
-      append_number(data, float(number));
-    }
-  };
   for (const std::array<double, 7>& row : rows) {
     for (std::size_t field = 0; field < row.size(); ++field) {
-      append(field, row[field]);
+      file += field < 3    ? number_bytes(row[field])
+              : field == 3 ? number_bytes(std::uint32_t(row[field]))
+                           : number_bytes(float(row[field]));
     }
   }
-  return file + data;
+  return file;
 }
 
 TEST(read_points, reads_pcd)
@@ -190,22 +175,15 @@ std::string las(std::uint32_t number_of_points)
   file.resize(24, '\0');
   file += std::string("\1\2", 2);
   file.resize(94, '\0');
-  append_number(file, std::uint16_t(227));
-  append_number(file, std::uint32_t(230)); // with a gap behind the header
-  append_number(file, std::uint32_t(0));
-  file.push_back('\0');
-  append_number(file, std::uint16_t(20));
-  append_number(file, number_of_points);
+  file += number_bytes(std::uint16_t(227));
+  file += number_bytes(std::uint32_t(230)); // with a gap behind the header
+  file.resize(file.size() + 5, '\0');
+  file += number_bytes(std::uint16_t(20)) + number_bytes(number_of_points);
   file.resize(131, '\0');
-  for (const double number : {0.5, 0.25, 0.001, 10., 0., -1.}) { // scales and offsets
-    append_number(file, number);
-  }
+  file += bytes_of<double>(std::vector<double>{0.5, 0.25, 0.001, 10, 0, -1}); // scales and offsets
   file.resize(230, '\0');
-  for (const std::array<std::int32_t, 3>& point : {std::array<std::int32_t, 3>{-18, 8, 4000}, {-28, 22, 1006}}) {
-    for (const std::int32_t coordinate : point) {
-      append_number(file, coordinate);
-    }
-    file.append(8, '\x7f');
+  for (const std::vector<int>& point : {std::vector<int>{-18, 8, 4000}, {-28, 22, 1006}}) {
+    file += bytes_of<std::int32_t>(point) + std::string(8, '\x7f');
   }
   return file;
 }
@@ -256,15 +234,20 @@ TEST(read_points, survives_damaged_scans)
 
 TEST(read_points, refuses_malformed_files)
 {
+  using Contents_and_messages = std::vector<std::pair<std::string, std::string>>;
   EXPECT_EQ("cloud: the file is empty; fetch or write it again", refusal("", ".xyz"));
   EXPECT_EQ("cloud: the file has no points; fetch or write it again", refusal("# nothing\n", ".xyz"));
-  EXPECT_EQ(0u, refusal("x y z\nx y z\n1 2 3\n", ".xyz").rfind("cloud, line 2: a number", 0));
-  EXPECT_EQ(0u, refusal("1 2 3\n1 2\n", ".xyz").rfind("cloud, line 2: a point has fewer", 0));
-  EXPECT_EQ(0u, refusal("1 2 3\n1 2 x\n", ".xyz").rfind("cloud, line 2: a number", 0));
-  EXPECT_EQ(0u, refusal("x,y,z\n1,2,3\n1,,3\n", ".xyz").rfind("cloud, line 3: a number", 0));
-  EXPECT_EQ(0u, refusal("1;2;3\n1,5;2,5;3\n", ".xyz").rfind("cloud, line 2: a number", 0));
-  EXPECT_EQ(0u, refusal("x,y,z\n1,2\n", ".xyz").rfind("cloud, line 2: a point has fewer", 0));
-  EXPECT_EQ(0u, refusal("x,y,z\n1,2,inf\n", ".xyz").rfind("cloud, line 2: a coordinate is not finite", 0));
+  for (const auto& [content, beginning] :
+       Contents_and_messages{{"x y z\nx y z\n1 2 3\n", "2: a number"},
+                             {"1 2 3\n1 2\n", "2: a point has fewer"},
+                             {"1 2 3\n1 2 x\n", "2: a number"},
+                             {"x,y,z\n1,2,3\n1,,3\n", "3: a number"},
+                             {"1;2;3\n1,5;2,5;3\n", "2: a number"},
+                             {"x,y,z\n1,2\n", "2: a point has fewer"},
+                             {"x,y,z\n1,2,inf\n", "2: a coordinate is not finite"},
+                             {"1 2 3\n1 nan 2\n", "2: a coordinate is not finite"}}) {
+    EXPECT_EQ(0u, refusal(content, ".xyz").rfind("cloud, line " + beginning, 0)) << content;
+  }
   for (const char* encoding : {"ascii", "binary"}) {
     const std::string file = pcd(encoding);
     for (const auto& [old_text, new_text] :
@@ -284,16 +267,15 @@ TEST(read_points, refuses_malformed_files)
   }
   EXPECT_NE(std::string::npos, refusal(pcd("binary_compressed"), ".pcd").find("write the file as DATA binary"))
       << "names the remedy";
-  EXPECT_EQ(0u, refusal(las(3), ".las").rfind("cloud", 0));
-  EXPECT_EQ(0u, refusal(las(4000000000U), ".las").rfind("cloud", 0));
-  EXPECT_EQ(0u, refusal(las(2).substr(0, 200), ".las").rfind("cloud", 0));
+  for (const std::string& file : {las(3), las(4000000000U), las(2).substr(0, 200)}) {
+    EXPECT_EQ(0u, refusal(file, ".las").rfind("cloud", 0));
+  }
   EXPECT_NE(std::string::npos, refusal(las(2).replace(104, 1, "\x80"), ".las").find("laszip")) << "names the remedy";
-  EXPECT_EQ(0u, refusal("1 2 3\n1 nan 2\n", ".xyz").rfind("cloud, line 2: a coordinate is not finite", 0));
 }
 
 TEST(read_points, takes_the_format_from_the_ending)
 {
-  const test_support::Temporary_folder folder;
+  const Temporary_folder folder;
   folder.write("a.b.XYZ", "1 2 3\n-4 5.5 6e-3\n");
   Content content;
   CSCD::read_points(folder.file("a.b.XYZ"), content.points, content.normals);

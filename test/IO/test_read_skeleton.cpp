@@ -4,24 +4,21 @@
 // Tests of skeletons read from files: files of the writers, of other programs, and malformed files.
 
 #include "Parsed_skeleton.h"
-#include "archetypes/Skeleton_archetype.h"
 #include "malformed_files.h"
+#include "mesh_files.h"
 #include "sample_skeleton.h"
 #include "support/Temporary_folder.h"
+#include "write_in_foreign_locale.h"
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/exceptions.h>
 
-#include <boost/endian/conversion.hpp>
 #include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <locale>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -191,24 +188,11 @@ TEST(Read_skeleton, edges_of_ply_with_other_properties)
 /// A PLY file of two nodes and an edge in binary.
 std::string binary_ply_of_an_edge(bool is_little_endian)
 {
-  std::string result = std::string("ply\nformat binary_") + (is_little_endian ? "little" : "big") +
-                       "_endian 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
-                       "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  const auto append = [&](std::uint32_t bits) {
-    const std::uint32_t ordered =
-        is_little_endian ? boost::endian::native_to_little(bits) : boost::endian::native_to_big(bits);
-    std::array<char, sizeof ordered> bytes{};
-    std::memcpy(bytes.data(), &ordered, sizeof ordered);
-    result.append(bytes.data(), bytes.size());
-  };
-  for (const float x : {1.f, 2.f, 3.f, 4.f, 5.f, 6.5f}) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &x, sizeof x);
-    append(bits);
-  }
-  append(1);
-  append(0);
-  return result;
+  const std::string result = std::string("ply\nformat binary_") + (is_little_endian ? "little" : "big") +
+                             "_endian 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+                             "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  return result + bytes_of<float>(std::vector<double>{1, 2, 3, 4, 5, 6.5}, is_little_endian) +
+         bytes_of<std::int32_t>(std::vector<int>{1, 0}, is_little_endian);
 }
 
 TEST(Read_skeleton, lines_of_vtk)
@@ -258,19 +242,9 @@ TEST(Read_skeleton, swc_of_neuroscience)
 
 TEST(Read_skeleton, global_locale_does_not_matter)
 {
-  std::locale old;
-  try {
-    old = std::locale::global(std::locale("de_DE.UTF-8"));
-  } catch (const std::runtime_error&) {
-    struct Comma : std::numpunct<char>
-    {
-      char do_decimal_point() const override { return ','; }
-    };
-    old = std::locale::global(std::locale(std::locale::classic(), new Comma));
-  }
+  const Foreign_global_locale locale;
   EXPECT_EQ(Point(0.5, 0, 0), read(".graph", "n 0.5 0 0\n").points.at(0));
   EXPECT_EQ(Point(0.5, 0, 0), read(".json", R"({"nodes":[{"point":[0.5,0,0]}],"edges":[]})").points.at(0));
-  std::locale::global(old);
 }
 
 TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)

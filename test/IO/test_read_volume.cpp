@@ -3,6 +3,7 @@
 //
 // Volumes from all formats, and files that are refused.
 
+#include "mesh_files.h"
 #include "support/Temporary_folder.h"
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -23,27 +23,16 @@
 
 namespace {
 
+using namespace test_support;
 using CSCD::Vector3;
 using CSCD::Volume;
 
 const std::vector<std::uint16_t> voxel_values{0, 1, 2, 3, 4, 500, 0, 0, 7, 8, 0, 65535}; // 3 x 2 x 2
 const CSCD::Voxel_selection each_label{std::nullopt, std::nullopt, true};
 
-template <class Number>
-std::string number_bytes(Number number, bool is_big = false)
+std::string voxel_bytes(bool is_little_endian = true)
 {
-  std::string result(sizeof(Number), '\0');
-  std::memcpy(result.data(), &number, sizeof(Number));
-  return is_big ? std::string(result.rbegin(), result.rend()) : result;
-}
-
-std::string voxel_bytes(bool is_big = false)
-{
-  std::string result;
-  for (const std::uint16_t value : voxel_values) {
-    result += number_bytes(value, is_big);
-  }
-  return result;
+  return bytes_of<std::uint16_t>(voxel_values, is_little_endian);
 }
 
 /// As gzip, without compression.
@@ -63,23 +52,19 @@ const std::string meta_fields = "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\
                                 "ElementSpacing = 2 0.5 1\nOffset = 10 20 30\n"
                                 "TransformMatrix = 1 0 0 0 0 1 0 -1 0\n";
 
-std::string nifti(float slope = 1, std::int16_t dimension = 3, float begin = 352, bool is_big = false)
+std::string nifti(float slope = 1, std::int16_t dimension = 3, float begin = 352, bool is_little_endian = true)
 {
   std::string header(352, '\0');
   const auto put = [&](std::size_t place, const std::string& bytes) { header.replace(place, bytes.size(), bytes); };
-  put(0, number_bytes(std::int32_t(348), is_big));
+  put(0, number_bytes(std::int32_t(348), is_little_endian));
   const std::int16_t extents[] = {dimension, 3, 2, 2, 1, 1, 1, 1};
-  for (std::size_t i = 0; i < 8; ++i) {
-    put(40 + 2 * i, number_bytes(extents[i], is_big));
-  }
-  put(70, number_bytes(std::int16_t(512), is_big));
-  put(108, number_bytes(begin, is_big));
-  put(112, number_bytes(slope, is_big));
-  put(254, number_bytes(std::int16_t(1), is_big));
+  put(40, bytes_of<std::int16_t>(extents, is_little_endian));
+  put(70, number_bytes(std::int16_t(512), is_little_endian));
+  put(108, number_bytes(begin, is_little_endian));
+  put(112, number_bytes(slope, is_little_endian));
+  put(254, number_bytes(std::int16_t(1), is_little_endian));
   const float rows[] = {2, 0, 0, 10, 0, 0, -1, 20, 0, 0.5F, 0, 30};
-  for (std::size_t i = 0; i < 12; ++i) {
-    put(280 + 4 * i, number_bytes(rows[i], is_big));
-  }
+  put(280, bytes_of<float>(rows, is_little_endian));
   put(344, "n+1");
   return header;
 }
@@ -98,8 +83,8 @@ void expect_sample(const std::string& filename)
 
 TEST(read_volume, reads_the_same_from_all_formats)
 {
-  const test_support::Temporary_folder folder;
-  folder.write("v.raw", "12345" + voxel_bytes(true));
+  const Temporary_folder folder;
+  folder.write("v.raw", "12345" + voxel_bytes(false));
   folder.write("v.raw.gz", gzip("12345" + voxel_bytes()));
   expect_sample(folder.write("v.nrrd", "NRRD0004\n" + nrrd_fields + "encoding: raw\n\n" + voxel_bytes()));
   expect_sample(folder.write("z.nrrd", "NRRD0004\r\n" + nrrd_fields + "encoding: gzip\r\n\r\n" + gzip(voxel_bytes())));
@@ -111,13 +96,13 @@ TEST(read_volume, reads_the_same_from_all_formats)
   expect_sample(folder.write("v.mhd", meta_fields + "BinaryDataByteOrderMSB = True\nHeaderSize = -1\n"
                                                     "ElementDataFile = v.raw\n"));
   expect_sample(folder.write("v.nii", nifti() + voxel_bytes()));
-  expect_sample(folder.write("b.nii", nifti(1, 3, 352, true) + voxel_bytes(true)));
+  expect_sample(folder.write("b.nii", nifti(1, 3, 352, false) + voxel_bytes(false)));
   expect_sample(folder.write("v.nii.gz", gzip(nifti() + voxel_bytes())));
 }
 
 TEST(read_volume, reads_what_is_selected)
 {
-  const test_support::Temporary_folder folder;
+  const Temporary_folder folder;
   const std::string file = folder.write("v.nii", nifti(2) + voxel_bytes()); // values are doubled
   using Labels = std::vector<std::uint32_t>;
   EXPECT_EQ(CSCD::read_volume(file).labels, (Labels{0, 1, 1, 1, 1, 1, 0, 0, 1, 1, 0, 1}));
@@ -127,7 +112,7 @@ TEST(read_volume, reads_what_is_selected)
 
 TEST(read_volume, gives_the_same_surfaces_slice_by_slice)
 {
-  const test_support::Temporary_folder folder;
+  const Temporary_folder folder;
   Volume volume;
   volume.grid = {{9, 8, 7}, {1, 2, 3}, {Vector3(0.5, 0, 0), Vector3(0, 0.1, 2), Vector3(0, 1, 0)}};
   for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
@@ -151,7 +136,7 @@ TEST(read_volume, gives_the_same_surfaces_slice_by_slice)
 
 TEST(read_volume, refuses_gray_values_as_labels_before_a_surface_is_made)
 {
-  const test_support::Temporary_folder folder;
+  const Temporary_folder folder;
   Volume volume;
   volume.grid.size = {41, 41, 41};
   volume.grid.origin = Vector3(0, 0, 0);
@@ -173,7 +158,7 @@ TEST(read_volume, refuses_gray_values_as_labels_before_a_surface_is_made)
 
 TEST(read_volume, refuses_headers_that_lie)
 {
-  const test_support::Temporary_folder folder;
+  const Temporary_folder folder;
   const std::string data = voxel_bytes();
   const auto nrrd = [&](const std::string& from, const std::string& to) {
     std::string fields = nrrd_fields + "encoding: raw\n\n";

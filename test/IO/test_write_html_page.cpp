@@ -146,13 +146,8 @@ TEST(Write_html_page, says_what_belongs_to_which_branch)
 
 TEST(Write_html_page, knows_cycles_and_lone_nodes)
 {
-  Skeleton skeleton(4);
-  for (std::size_t i = 0; i < 4; ++i) {
-    skeleton[i].point = Point(static_cast<double>(i), static_cast<double>(i * i), 0);
-  }
-  add_edge(0, 1, skeleton);
-  add_edge(1, 2, skeleton);
-  add_edge(2, 0, skeleton);
+  const auto skeleton =
+      CSCD::test::to_graph<Skeleton>({{0, 0, 0}, {1, 1, 0}, {2, 4, 0}, {3, 9, 0}}, {{0, 1}, {1, 2}, {2, 0}});
   const nlohmann::json data = data_of(page_of(Mesh(), skeleton));
   EXPECT_EQ(array_of<double>(data, "branch_lengths").size(), 2u);
   const auto of_node = array_of<std::uint32_t>(data, "branch_of_node");

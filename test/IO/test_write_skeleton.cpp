@@ -6,6 +6,7 @@
 #include "Parsed_skeleton.h"
 #include "sample_skeleton.h"
 #include "support/Temporary_folder.h"
+#include "support/convert_shape.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/exceptions.h>
@@ -46,17 +47,8 @@ TEST(Write_skeleton, chooses_the_format_by_the_ending)
 /// Without radius: a path 0 - 1 that ends in the cycle 1 - 2 - 3, and the lone node 4. Some coordinates are not exact.
 Skeleton_without_radius small_skeleton()
 {
-  Skeleton_without_radius skeleton(5);
-  const double y[] = {0, 0.1, 0, 0, 0};
-  const double z[] = {1e20, 1e20, -1234567, 1e-300, 1e20};
-  for (std::size_t i = 0; i < 5; ++i) {
-    skeleton[i].point = Point(static_cast<double>(i), y[i], z[i]);
-    skeleton[i].vertices.assign(i, i);
-  }
-  for (const auto& [u, v] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3), std::pair(3, 1)}) {
-    add_edge(static_cast<std::size_t>(u), static_cast<std::size_t>(v), skeleton);
-  }
-  return skeleton;
+  return CSCD::test::to_graph<Skeleton_without_radius>(
+      {{0, 0, 1e20}, {1, 0.1, 1e20}, {2, 0, -1234567}, {3, 0, 1e-300}, {4, 0, 1e20}}, {{0, 1}, {1, 2}, {2, 3}, {3, 1}});
 }
 
 /// A format by its ending, and the small skeleton in this format.
@@ -177,13 +169,8 @@ TEST(Write_skeleton, writes_skeletons_of_cgal)
 {
   using Mesh = CGAL::Surface_mesh<Point>;
   using Cgal_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
-  Cgal_skeleton skeleton(3);
-  skeleton[0].point = Point(0, 0, 0);
-  skeleton[1].point = Point(1, 0, 0);
-  skeleton[2].point = Point(2, 0, 0.1);
+  auto skeleton = CSCD::test::to_graph<Cgal_skeleton>({{0, 0, 0}, {1, 0, 0}, {2, 0, 0.1}}, {{0, 1}, {1, 2}});
   skeleton[1].vertices = {Mesh::Vertex_index(4), Mesh::Vertex_index(5)};
-  add_edge(0, 1, skeleton);
-  add_edge(1, 2, skeleton);
   const Temporary_folder folder;
   for (const auto& [ending, beginning] : beginnings) {
     const std::string filename = folder.file(std::string("skeleton") + ending);

@@ -4,6 +4,7 @@
 // Tests of skeletons written as SWC.
 
 #include "sample_skeleton.h"
+#include "support/convert_shape.h"
 #include <CSCD/IO/write_skeleton.h>
 
 #include <gtest/gtest.h>
@@ -86,17 +87,8 @@ std::string swc_text_with(const Skeleton& skeleton, const CSCD::Swc_options& opt
 /// A tail 0 - 1 of radius 1 to a ring 1 - 2 - 3 - 4, which is thinnest between 2 and 3, and a ball apart of radius 9.
 Skeleton tail_with_ring()
 {
-  Skeleton skeleton(6);
-  const std::vector<double> radii{1, 2, 0.5, 0.25, 2, 9};
-  const std::vector<Point> points{{0, 0, 0}, {2, 0, 0}, {4, 2, 0}, {6, 0, 0}, {4, -2, 0}, {50, 0, 0}};
-  for (std::size_t i = 0; i < 6; ++i) {
-    skeleton[i].radius = radii[i];
-    skeleton[i].point = points[i];
-  }
-  for (const auto& [u, v] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3), std::pair(3, 4), std::pair(4, 1)}) {
-    add_edge(std::size_t(u), std::size_t(v), skeleton);
-  }
-  return skeleton;
+  return CSCD::test::to_graph<Skeleton>({{0, 0, 0}, {2, 0, 0}, {4, 2, 0}, {6, 0, 0}, {4, -2, 0}, {50, 0, 0}},
+                                        {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 1}}, {1, 2, 0.5, 0.25, 2, 9});
 }
 
 TEST(Write_swc_for_neurons, obeys_strict_rules)

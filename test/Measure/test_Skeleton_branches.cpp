@@ -39,48 +39,33 @@ using CSCD::Index;
 using CSCD::Root_rule;
 using CSCD::Skeleton_branch;
 using CSCD::Skeleton_branches;
+using CSCD::test::pi;
+using CSCD::test::to_graph;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Drawn_node
-{
-  Point point;
-  double radius;
-};
-
-Skeleton drawn_skeleton(const std::vector<Drawn_node>& nodes, const std::vector<std::pair<int, int>>& edges)
-{
-  Skeleton result;
-  for (const Drawn_node& node : nodes) {
-    auto& bundle = result[add_vertex(result)];
-    bundle.point = node.point;
-    bundle.radius = node.radius;
-  }
-  for (const auto& [u, v] : edges) {
-    add_edge(std::size_t(u), std::size_t(v), result);
-  }
-  return result;
-}
+using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// From a junction of radius 2 at the origin: limbs 0 - 1 - 2 of length 20 along x, and 0 - 3 and 0 - 4 of length 10
 /// along y and z; the last one is bent at 5. An isolated node 6, and a square 7 - 8 - 9 - 10.
 Skeleton limbs_and_square()
 {
-  return drawn_skeleton({{Point(0, 0, 0), 2},
-                         {Point(10, 0, 0), 1.5},
-                         {Point(20, 0, 0), 1},
-                         {Point(0, 10, 0), 1},
-                         {Point(3, 0, 4), 0.5},
-                         {Point(0, 0, 8), 0.5},
-                         {Point(50, 0, 0), 3},
-                         {Point(0, 0, -50), 1},
-                         {Point(1, 0, -50), 1},
-                         {Point(1, 1, -50), 1},
-                         {Point(0, 1, -50), 1}},
-                        {{0, 1}, {1, 2}, {0, 3}, {0, 4}, {4, 5}, {7, 8}, {8, 9}, {9, 10}, {10, 7}});
+  return to_graph<Skeleton>({{0, 0, 0},
+                             {10, 0, 0},
+                             {20, 0, 0},
+                             {0, 10, 0},
+                             {3, 0, 4},
+                             {0, 0, 8},
+                             {50, 0, 0},
+                             {0, 0, -50},
+                             {1, 0, -50},
+                             {1, 1, -50},
+                             {0, 1, -50}},
+                            {{0, 1}, {1, 2}, {0, 3}, {0, 4}, {4, 5}, {7, 8}, {8, 9}, {9, 10}, {10, 7}},
+                            {2, 1.5, 1, 1, 0.5, 0.5, 3, 1, 1, 1, 1});
 }
 
 /// The branch between two ends.
@@ -125,7 +110,6 @@ TEST(Skeleton_branches, measures_lengths)
 
 TEST(Skeleton_branches, measures_radii_and_frusta)
 {
-  constexpr double pi = 3.141592653589793;
   const Skeleton_branches table = CSCD::measure_branches(limbs_and_square());
   const Skeleton_branch& cone = between(table, 0, 2); // of radii 2 and 1, in two pieces
   EXPECT_EQ(1, cone.min_radius);
@@ -162,10 +146,9 @@ TEST(Find_roots, obeys_rules_in_each_component)
 
 TEST(Find_roots, longest_is_the_thicker_end_of_the_longest_path)
 {
-  const std::vector<std::pair<int, int>> edges{{0, 1}, {0, 2}, {0, 3}};
   for (const double radius : {0.5, 2.}) {
-    const Skeleton skeleton = drawn_skeleton(
-        {{Point(0, 0, 0), 9}, {Point(-5, 0, 0), radius}, {Point(9, 0, 0), 1}, {Point(0, 4, 0), 3}}, edges);
+    const Skeleton skeleton =
+        to_graph<Skeleton>({{0, 0, 0}, {-5, 0, 0}, {9, 0, 0}, {0, 4, 0}}, {{0, 1}, {0, 2}, {0, 3}}, {9, radius, 1, 3});
     EXPECT_EQ((std::vector<Index>{radius > 1 ? 1u : 2u}), find_roots(skeleton, Root_rule::longest));
   }
 }
@@ -173,14 +156,9 @@ TEST(Find_roots, longest_is_the_thicker_end_of_the_longest_path)
 TEST(Skeleton_branches, orders_count_branches_from_the_root)
 {
   // A path 0 - 1 - 2 - 3 with limbs 4 at 1, and 5 and 6 at 2.
-  const Skeleton skeleton = drawn_skeleton({{Point(0, 0, 0), 1},
-                                            {Point(1, 0, 0), 1},
-                                            {Point(2, 0, 0), 1},
-                                            {Point(3, 0, 0), 1},
-                                            {Point(1, 1, 0), 1},
-                                            {Point(2, 1, 0), 1},
-                                            {Point(2, 0, 1), 1}},
-                                           {{0, 1}, {1, 2}, {2, 3}, {1, 4}, {2, 5}, {2, 6}});
+  const Skeleton skeleton =
+      to_graph<Skeleton>({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1, 1, 0}, {2, 1, 0}, {2, 0, 1}},
+                         {{0, 1}, {1, 2}, {2, 3}, {1, 4}, {2, 5}, {2, 6}}, {1, 1, 1, 1, 1, 1, 1});
   EXPECT_FALSE(between(CSCD::measure_branches(skeleton), 0, 1).order);
   Skeleton_branches table = CSCD::measure_branches(skeleton, {0});
   const auto number = [&table](Index a, Index b) { return std::size_t(&between(table, a, b) - table.branches.data()); };
@@ -199,13 +177,9 @@ TEST(Skeleton_branches, orders_count_branches_from_the_root)
 TEST(Skeleton_branches, cycles_have_an_order_on_both_sides_of_where_they_are_cut)
 {
   // A tail 0 - 1, two paths from 1 to 2 (a thin one by 3, and a direct edge), and a tail 2 - 4.
-  const Skeleton skeleton = drawn_skeleton({{Point(0, 0, 0), 2},
-                                            {Point(1, 0, 0), 2},
-                                            {Point(3, 0, 0), 2},
-                                            {Point(2, 1, 0), 0.1},
-                                            {Point(4, 0, 0), 2},
-                                            {Point(2, -1, 0), 1}},
-                                           {{0, 1}, {1, 3}, {3, 2}, {2, 4}, {1, 5}, {5, 2}, {1, 2}});
+  const Skeleton skeleton =
+      to_graph<Skeleton>({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, 1, 0}, {4, 0, 0}, {2, -1, 0}},
+                         {{0, 1}, {1, 3}, {3, 2}, {2, 4}, {1, 5}, {5, 2}, {1, 2}}, {2, 2, 2, 0.1, 2, 1});
   const std::size_t skeleton_size = num_vertices(skeleton);
   const CSCD::internal::Rooted_forest forest(CSCD::internal::index_skeleton(skeleton), {4});
   ASSERT_EQ(2u, forest.loops().size());
@@ -264,7 +238,6 @@ TEST(Skeleton_branches, parts_of_the_surface_add_up_to_it)
 
 TEST(Skeleton_branches, equal_limbs_have_equal_parts)
 {
-  constexpr double pi = 3.141592653589793;
   Mesh mesh;
   const Skeleton_branches table = branches_of_shape(CSCD::test::y_tube(0.1), mesh); // of length 3 and radius 0.4
   ASSERT_EQ(3u, table.branches.size());
@@ -279,20 +252,17 @@ TEST(Skeleton_branches, equal_limbs_have_equal_parts)
 
 TEST(Node_measures, of_a_prism_are_exact)
 {
-  constexpr double pi = 3.141592653589793;
   constexpr std::size_t around = 24;
   constexpr std::size_t number_of_nodes = 11;
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
-  std::vector<Drawn_node> nodes;
-  std::vector<std::pair<int, int>> edges;
-  nodes.reserve(number_of_nodes + 1);
-  edges.reserve(number_of_nodes);
+  std::vector<CSCD::test::Triple> points;
+  Edges edges;
   for (std::size_t i = 0; i < number_of_nodes; ++i) {
-    nodes.push_back({Point(0.17 + 0.96 * double(i), 0, 0), 1});
-    edges.emplace_back(int(i), int(i) + 1);
+    points.push_back({0.17 + 0.96 * double(i), 0, 0});
+    edges.emplace_back(i, i + 1);
   }
-  nodes.push_back({Point(50, 0, 0), 1}); // outside, with no vertices
-  Skeleton skeleton = drawn_skeleton(nodes, edges);
+  points.push_back({50, 0, 0}); // outside, with no vertices
+  auto skeleton = to_graph<Skeleton>(points, edges, std::vector<double>(points.size(), 1));
   for (const auto vertex : vertices(mesh)) {
     const double position = std::round((mesh.point(vertex).x() - 0.17) / 0.96);
     skeleton[std::size_t(std::clamp(position, 0., double(number_of_nodes - 1)))].vertices.push_back(vertex);
@@ -309,7 +279,6 @@ TEST(Node_measures, of_a_prism_are_exact)
 
 TEST(Node_measures, of_a_torus_are_those_of_its_circle)
 {
-  constexpr double pi = 3.141592653589793;
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(3, 1, 32));
   Skeleton skeleton;
   CSCD::extract_curve_skeleton(mesh, skeleton);
@@ -321,7 +290,6 @@ TEST(Node_measures, of_a_torus_are_those_of_its_circle)
 
 TEST(Skeleton_branches, openings_count_as_closed)
 {
-  constexpr double pi = 3.141592653589793;
   constexpr std::size_t around = 48;
   for (const auto end : {CSCD::test::Tube_end::open, CSCD::test::Tube_end::flat}) {
     Mesh mesh;

@@ -3,7 +3,8 @@
 //
 // Tests of the comparison of two skeletons.
 
-#include "archetypes/Skeleton_archetype.h"
+#include "support/convert_shape.h"
+#include "support/swept_shapes.h"
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
@@ -28,36 +29,26 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
 using CSCD::compare_skeletons;
 using CSCD::Skeleton_comparison;
+using CSCD::test::to_graph;
+using CSCD::test::Triple;
 using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
-
-Skeleton make_skeleton(const std::vector<Point>& points, const Edges& edges)
-{
-  Skeleton skeleton(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    skeleton[v].point = points[v];
-  }
-  for (const auto& [u, v] : edges) {
-    add_edge(u, v, skeleton);
-  }
-  return skeleton;
-}
 
 /// A line of length 10 along x with three twigs of length 2 along y, moved by (x, y).
 Skeleton comb(double x = 0, double y = 0)
 {
-  std::vector<Point> points;
+  std::vector<Triple> points;
   Edges edges;
   for (std::size_t i = 0; i <= 10; ++i) {
-    points.emplace_back(double(i) + x, y, 0);
+    points.push_back({double(i) + x, y, 0});
     if (i > 0) {
       edges.emplace_back(i - 1, i);
     }
   }
   for (const std::size_t i : {2, 5, 8}) {
-    points.emplace_back(double(i) + x, y + 2, 0);
+    points.push_back({double(i) + x, y + 2, 0});
     edges.emplace_back(i, points.size() - 1);
   }
-  return make_skeleton(points, edges);
+  return to_graph<Skeleton>(points, edges);
 }
 
 TEST(Compare_skeletons, a_skeleton_is_equal_to_itself)
@@ -73,18 +64,17 @@ TEST(Compare_skeletons, a_skeleton_is_equal_to_itself)
 
 TEST(Compare_skeletons, nodes_along_a_branch_do_not_matter)
 {
-  const Skeleton one = make_skeleton({Point(0, 0, 0), Point(9, 0, 0)}, {{0, 1}});
+  const Skeleton one = to_graph<Skeleton>({{0, 0, 0}, {9, 0, 0}}, {{0, 1}});
   const Skeleton many =
-      make_skeleton({Point(0, 0, 0), Point(1, 0, 0), Point(5, 0, 0), Point(5.5, 0, 0), Point(9, 0, 0)},
-                    {{2, 1}, {0, 1}, {2, 3}, {3, 4}});
+      to_graph<Skeleton>({{0, 0, 0}, {1, 0, 0}, {5, 0, 0}, {5.5, 0, 0}, {9, 0, 0}}, {{2, 1}, {0, 1}, {2, 3}, {3, 4}});
   const Skeleton_comparison c = compare_skeletons(one, many);
   EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
 }
 
 TEST(Compare_skeletons, distances_of_parallel_lines_are_known)
 {
-  const Skeleton a = make_skeleton({Point(0, 0, 0), Point(4, 0, 0)}, {{0, 1}});
-  const Skeleton b = make_skeleton({Point(0, 3, 0), Point(4, 3, 0)}, {{0, 1}});
+  const Skeleton a = to_graph<Skeleton>({{0, 0, 0}, {4, 0, 0}}, {{0, 1}});
+  const Skeleton b = to_graph<Skeleton>({{0, 3, 0}, {4, 3, 0}}, {{0, 1}});
   const Skeleton_comparison c = compare_skeletons(a, b);
   EXPECT_DOUBLE_EQ(5, c.diagonal);
   EXPECT_NEAR(0.6, c.mean_distance(), 1e-12);
@@ -96,8 +86,8 @@ TEST(Compare_skeletons, distances_of_parallel_lines_are_known)
 
 TEST(Compare_skeletons, is_one_sided_where_a_part_is_missing)
 {
-  const Skeleton whole = make_skeleton({Point(0, 0, 0), Point(8, 0, 0), Point(8, 6, 0)}, {{0, 1}, {1, 2}});
-  const Skeleton part = make_skeleton({Point(0, 0, 0), Point(8, 0, 0)}, {{0, 1}});
+  const Skeleton whole = to_graph<Skeleton>({{0, 0, 0}, {8, 0, 0}, {8, 6, 0}}, {{0, 1}, {1, 2}});
+  const Skeleton part = to_graph<Skeleton>({{0, 0, 0}, {8, 0, 0}}, {{0, 1}});
   const Skeleton_comparison c = compare_skeletons(whole, part);
   EXPECT_NEAR(0.6, c.from_first_to_second.maximum, 1e-12);
   EXPECT_NEAR(6. / 14 * 0.3, c.from_first_to_second.mean, 1e-3);
@@ -124,9 +114,9 @@ TEST(Compare_skeletons, counts_what_is_at_another_place_or_missing)
 TEST(Compare_skeletons, matches_each_feature_once)
 {
   // Two tips near one: only one of them is matched, the nearer one.
-  const Skeleton one = make_skeleton({Point(0, 0, 0), Point(10, 0, 0)}, {{0, 1}});
+  const Skeleton one = to_graph<Skeleton>({{0, 0, 0}, {10, 0, 0}}, {{0, 1}});
   const Skeleton two =
-      make_skeleton({Point(0, 0, 0), Point(9, 0, 0), Point(10, 0.1, 0), Point(10, -0.05, 0)}, {{0, 1}, {1, 2}, {1, 3}});
+      to_graph<Skeleton>({{0, 0, 0}, {9, 0, 0}, {10, 0.1, 0}, {10, -0.05, 0}}, {{0, 1}, {1, 2}, {1, 3}});
   const Skeleton_comparison c = compare_skeletons(one, two);
   EXPECT_EQ(2u, c.tips.number_in_first);
   EXPECT_EQ(3u, c.tips.number_in_second);
@@ -137,14 +127,14 @@ TEST(Compare_skeletons, matches_each_feature_once)
 TEST(Compare_skeletons, closed_cycles_have_neither_tips_nor_junctions)
 {
   const auto ring = [](std::size_t n) {
-    std::vector<Point> points;
+    std::vector<Triple> points;
     Edges edges;
     for (std::size_t i = 0; i < n; ++i) {
-      const double angle = 2 * 3.141592653589793 * double(i) / double(n);
-      points.emplace_back(std::cos(angle), std::sin(angle), 0);
+      const double angle = 2 * CSCD::test::pi * double(i) / double(n);
+      points.push_back({std::cos(angle), std::sin(angle), 0});
       edges.emplace_back(i, (i + 1) % n);
     }
-    return make_skeleton(points, edges);
+    return to_graph<Skeleton>(points, edges);
   };
   const Skeleton_comparison c = compare_skeletons(ring(40), ring(60));
   EXPECT_EQ(0u, c.junctions.number_in_first);
@@ -153,10 +143,10 @@ TEST(Compare_skeletons, closed_cycles_have_neither_tips_nor_junctions)
 
 TEST(Compare_skeletons, single_nodes_can_be_compared)
 {
-  const Skeleton a = make_skeleton({Point(1, 1, 1)}, {});
+  const Skeleton a = to_graph<Skeleton>({{1, 1, 1}}, {});
   const Skeleton_comparison same = compare_skeletons(a, a);
   EXPECT_EQ(0, same.hausdorff_distance());
-  const Skeleton_comparison apart = compare_skeletons(a, make_skeleton({Point(1, 1, 4)}, {}));
+  const Skeleton_comparison apart = compare_skeletons(a, to_graph<Skeleton>({{1, 1, 4}}, {}));
   EXPECT_EQ(3, apart.diagonal);
   EXPECT_EQ(1, apart.hausdorff_distance());
 }
@@ -166,15 +156,15 @@ Skeleton star(std::size_t number_of_arms, unsigned seed)
 {
   std::mt19937 generator(seed);
   std::normal_distribution<double> coordinate;
-  std::vector<Point> points{Point(0, 0, 0)};
+  std::vector<Triple> points{{0, 0, 0}};
   Edges edges;
   for (std::size_t i = 1; i <= number_of_arms; ++i) {
     const double x = coordinate(generator);
     const double y = coordinate(generator);
-    points.emplace_back(x, y, coordinate(generator));
+    points.push_back({x, y, coordinate(generator)});
     edges.emplace_back(0, i);
   }
-  return make_skeleton(points, edges);
+  return to_graph<Skeleton>(points, edges);
 }
 
 /// The number of pairs up to `match_distance`, the nearest first, from all distances.
@@ -218,8 +208,8 @@ TEST(Compare_skeletons, matches_the_nearest_pairs_of_all)
 
 TEST(Compare_skeletons, refuses_what_cannot_be_compared)
 {
-  const Skeleton bad = make_skeleton({Point(0, 0, std::numeric_limits<double>::infinity())}, {});
-  const Skeleton huge = make_skeleton({Point(-1.7e308, 0, 0), Point(1.7e308, 0, 0)}, {{0, 1}});
+  const Skeleton bad = to_graph<Skeleton>({{0, 0, std::numeric_limits<double>::infinity()}}, {});
+  const Skeleton huge = to_graph<Skeleton>({{-1.7e308, 0, 0}, {1.7e308, 0, 0}}, {{0, 1}});
   EXPECT_THROW(compare_skeletons(Skeleton(), comb()), CSCD::Input_error);
   EXPECT_THROW(compare_skeletons(comb(), Skeleton()), CSCD::Input_error);
   EXPECT_THROW(compare_skeletons(comb(), bad), CSCD::Input_error);

@@ -4,6 +4,9 @@
 // Significance of branches, and the simplification of skeletons: on trees with known answers, and invariants on random
 // graphs.
 
+#include "support/invariants.h"
+#include "support/point_skeletons.h"
+#include "support/swept_shapes.h"
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
@@ -60,17 +63,6 @@ std::size_t add_limb(Skeleton& skeleton, std::size_t base, const Kernel::Vector_
 double significance_at(const Skeleton& skeleton, std::size_t node)
 {
   return skeleton[*out_edges(node, skeleton).first].significance;
-}
-
-std::size_t number_of_components(const Skeleton& skeleton)
-{
-  std::vector<std::size_t> component(num_vertices(skeleton));
-  return component.empty() ? 0 : std::size_t(boost::connected_components(skeleton, component.data()));
-}
-
-std::size_t betti_number(const Skeleton& skeleton)
-{
-  return num_edges(skeleton) + number_of_components(skeleton) - num_vertices(skeleton);
 }
 
 std::vector<std::size_t> sorted_vertices(const Skeleton& skeleton)
@@ -168,7 +160,7 @@ TEST(Significance, cycles_and_what_joins_them_are_infinitely_significant)
   }
   CSCD::simplify_skeleton(skeleton, parameters::minimum_significance(1e300));
   EXPECT_EQ(num_vertices(skeleton), 6u);
-  EXPECT_EQ(betti_number(skeleton), 2u);
+  EXPECT_EQ(CSCD::test::skeleton_facts(skeleton).betti_number, 2u);
   EXPECT_EQ(skeleton[1].vertices.size(), 6u) << "those of the limb with tip " << tip;
 }
 
@@ -220,24 +212,22 @@ TEST(Simplify_skeleton, topology_and_partition_stay_and_repetition_changes_nothi
     const auto all = pruning.join_components(joins).spacing(spacing).spacing_over_radius(spacing_over_radius);
     Skeleton simplified = skeleton;
     const CSCD::Simplification_report report = CSCD::simplify_skeleton(simplified, all);
-    EXPECT_EQ(betti_number(simplified), betti_number(skeleton)) << seed;
-    EXPECT_EQ(report.betti_number, betti_number(simplified)) << seed;
-    EXPECT_EQ(number_of_components(simplified), joins ? 1 : number_of_components(skeleton)) << seed;
-    EXPECT_EQ(report.number_of_components, number_of_components(simplified)) << seed;
-    EXPECT_EQ(report.number_of_nodes, num_vertices(simplified)) << seed;
-    EXPECT_EQ(report.number_of_edges, num_edges(simplified)) << seed;
-    EXPECT_EQ(report.number_of_joined_edges, joins ? number_of_components(skeleton) - 1 : 0) << seed;
-    EXPECT_EQ(sorted_vertices(simplified), sorted_vertices(skeleton)) << seed;
-    std::set<std::pair<std::size_t, std::size_t>> seen;
-    std::size_t number_of_joined = 0;
-    for (const auto e : boost::make_iterator_range(edges(simplified))) {
-      const std::size_t a = source(e, simplified);
-      const std::size_t b = target(e, simplified);
-      EXPECT_NE(a, b) << seed;
-      EXPECT_TRUE(seen.insert(std::minmax(a, b)).second) << "parallel edges, seed " << seed;
-      number_of_joined += simplified[e].is_joined ? 1 : 0;
-    }
-    EXPECT_EQ(number_of_joined, report.number_of_joined_edges) << seed;
+    const CSCD::test::Skeleton_facts before = CSCD::test::skeleton_facts(skeleton);
+    const CSCD::test::Skeleton_facts facts = CSCD::test::skeleton_facts(simplified);
+    EXPECT_EQ(facts.betti_number, before.betti_number) << seed;
+    EXPECT_EQ(report.betti_number, facts.betti_number) << seed;
+    EXPECT_EQ(facts.number_of_components, joins ? 1 : before.number_of_components) << seed;
+    EXPECT_EQ(report.number_of_components, facts.number_of_components) << seed;
+    EXPECT_EQ(report.number_of_nodes, facts.number_of_nodes) << seed;
+    EXPECT_EQ(report.number_of_edges, facts.number_of_edges) << seed;
+    EXPECT_EQ(report.number_of_joined_edges, joins ? before.number_of_components - 1 : 0) << seed;
+    CSCD::test::expect_partition(simplified, 2 * before.number_of_nodes);
+    EXPECT_EQ(CSCD::test::violations_of_graph(simplified), CSCD::test::Violations{}) << seed;
+    const auto all_edges = edges(simplified);
+    EXPECT_EQ(std::size_t(std::count_if(all_edges.first, all_edges.second,
+                                        [&](const auto& e) { return simplified[e].is_joined; })),
+              report.number_of_joined_edges)
+        << seed;
     for (const auto v : boost::make_iterator_range(vertices(simplified))) {
       EXPECT_TRUE(simplified[v].radius >= 0 && simplified[v].radius <= 2) << seed;
     }
@@ -379,28 +369,8 @@ TEST(Simplify_skeleton, joined_edges_stay_marked)
 TEST(Simplify_skeleton, stays_inside_of_the_mesh)
 {
   using Mesh = CGAL::Surface_mesh<Point>;
-  // A bent tube: a ring. Coarse sampling leaves its thin body.
-  Mesh mesh;
-  constexpr int number_around = 60;
-  constexpr int number_across = 12;
-  constexpr double pi = 3.14159265358979323846;
-  for (int i = 0; i < number_around; ++i) {
-    for (int j = 0; j < number_across; ++j) {
-      const double u = 2 * pi * i / number_around;
-      const double v = 2 * pi * j / number_across;
-      const double distance = 1 + 0.1 * std::cos(v);
-      mesh.add_vertex(Point(distance * std::cos(u), distance * std::sin(u), 0.1 * std::sin(v)));
-    }
-  }
-  const auto vertex = [&](int i, int j) {
-    return Mesh::Vertex_index(unsigned(i % number_around * number_across + j % number_across));
-  };
-  for (int i = 0; i < number_around; ++i) {
-    for (int j = 0; j < number_across; ++j) {
-      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
-      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
-    }
-  }
+  // Coarse sampling leaves the thin body of a ring.
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(1, 0.1, 12));
   CSCD::Skeleton_graph<Point, Mesh::Vertex_index> skeleton;
   CSCD::extract_curve_skeleton(mesh, skeleton);
   const auto least_distance = [](const auto& graph) { // of an edge from the axis

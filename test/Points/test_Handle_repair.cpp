@@ -3,7 +3,7 @@
 //
 // Only handles of a few edges are cut; and the steps of the cut.
 
-#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Handle_repair.h>
 #include <CSCD/Surface/Triangles.h>

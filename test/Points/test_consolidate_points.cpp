@@ -151,11 +151,11 @@ TEST(is_scan_of_trees, tells_rods_from_a_torus)
 /// Circles around the z axis, on a ball of radius 1, `ratio` times as far apart as their points are.
 std::vector<Vector3> sliced_ball(std::size_t number, double ratio)
 {
-  const double spacing = std::sqrt(4 * 3.141592653589793 / (double(number) * ratio));
+  const double spacing = std::sqrt(4 * CSCD::test::pi / (double(number) * ratio));
   std::vector<Vector3> points;
   for (double latitude = -1.5; latitude < 1.5; latitude += ratio * spacing) {
     const double step = spacing / std::cos(latitude);
-    for (double angle = 0; angle < 6.283185307179586; angle += step) {
+    for (double angle = 0; angle < 2 * CSCD::test::pi; angle += step) {
       points.emplace_back(std::cos(latitude) * std::cos(angle), std::cos(latitude) * std::sin(angle),
                           std::sin(latitude));
     }

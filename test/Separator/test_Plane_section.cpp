@@ -3,7 +3,6 @@
 //
 // Plane sections: known lengths, planes through vertices, edges and whole faces, and the axis of a limb.
 
-#include "Separator/is_closed_curve.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Plane_section.h>
@@ -25,9 +24,28 @@ using CSCD::Index;
 using CSCD::Triangulated_surface;
 using CSCD::Vector3;
 using CSCD::internal::Plane_section;
-using CSCD::test::is_closed_curve;
 
 constexpr double any_length = std::numeric_limits<double>::max();
+
+/// Whether every crossing lies strictly within its edge, and the curve continues in the face that it has entered.
+testing::AssertionResult is_closed_curve(const Triangulated_surface& surface,
+                                         const std::vector<Edge_crossing>& crossings)
+{
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const Edge_crossing& crossing = crossings[i];
+    const Edge_crossing& next = crossings[(i + 1) % crossings.size()];
+    if (!(crossing.position > 0 && crossing.position < 1)) {
+      return testing::AssertionFailure() << "crossing " << i << " at position " << crossing.position;
+    }
+    if (Triangulated_surface::face(surface.twin(crossing.halfedge)) != Triangulated_surface::face(next.halfedge)) {
+      return testing::AssertionFailure() << "crossing " << i << " and the next one share no face";
+    }
+    if (surface.edge(crossing.halfedge) == surface.edge(next.halfedge)) {
+      return testing::AssertionFailure() << "crossing " << i << " is followed by one of the same edge";
+    }
+  }
+  return testing::AssertionSuccess();
+}
 
 /// Whether no edge is crossed twice.
 bool is_simple(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)

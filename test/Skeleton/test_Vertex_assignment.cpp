@@ -3,10 +3,10 @@
 //
 // Vertices belong to the nearest node of their piece.
 
-#include "Separator/make_separator.h"
 #include "support/Shape_solid.h"
 #include "support/shapes.h"
 #include <CSCD/Packing/Separator_packing.h>
+#include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -29,6 +31,39 @@ using CSCD::Skeleton_builder;
 using CSCD::Vector3;
 using CSCD::test::Shape_solid;
 
+/// The separator of `crossings`, with its measures.
+Separator make_separator(const CSCD::Triangulated_surface& surface, std::vector<CSCD::Edge_crossing> crossings)
+{
+  Separator separator;
+  separator.crossings = std::move(crossings);
+  std::vector<Vector3> points;
+  CSCD::internal::crossing_points(surface, separator.crossings, points);
+  CSCD::internal::set_measures(separator, points);
+  separator.source = surface.origin(separator.crossings.front().halfedge);
+  return separator;
+}
+
+/// The cycle that the plane through `point` normal to `axis` cuts off `surface` and that comes nearest to `near`.
+Separator section_separator(const CSCD::Triangulated_surface& surface, const Vector3& point, const Vector3& axis,
+                            const Vector3& near)
+{
+  CSCD::internal::Plane_section section(surface);
+  Separator best;
+  double least = std::numeric_limits<double>::max();
+  for (Index face = 0; face < surface.number_of_faces(); ++face) {
+    double distance = std::numeric_limits<double>::max();
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      distance = std::min(distance, (surface.point(surface.origin(h)) - near).norm());
+    }
+    if (distance < least && section.cut_at_face(face, axis, point, std::numeric_limits<double>::max())) {
+      least = distance;
+      best = make_separator(surface, section.crossings());
+    }
+  }
+  EXPECT_FALSE(best.crossings.empty()) << "the plane misses the surface";
+  return best;
+}
+
 /// A shape cut across at some points of the x axis.
 struct Cut_shape
 {
@@ -36,7 +71,7 @@ struct Cut_shape
   {
     for (const double x : places) {
       const Vector3 point = solid.at(x, 0, 0);
-      separators.push_back(CSCD::test::section_separator(solid.surface(), point, {1, 0, 0}, point));
+      separators.push_back(section_separator(solid.surface(), point, {1, 0, 0}, point));
     }
     packing = std::make_unique<CSCD::internal::Separator_packing>(solid.surface(), separators,
                                                                   std::vector<double>(places.size(), 1));
@@ -75,8 +110,7 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
   std::vector<Separator> separators;
   for (const double angle : {0.5, 2., 4., 5.5}) {
     const Vector3 point = solid.at(3 * std::cos(angle), 3 * std::sin(angle), 0);
-    separators.push_back(
-        CSCD::test::section_separator(solid.surface(), point, {-std::sin(angle), std::cos(angle), 0}, point));
+    separators.push_back(section_separator(solid.surface(), point, {-std::sin(angle), std::cos(angle), 0}, point));
   }
   const CSCD::internal::Separator_packing packing(solid.surface(), separators, std::vector<double>(4, 1));
   CSCD::Skeletonization_report report;

@@ -3,7 +3,7 @@
 //
 // After bridging, every surface is a closed oriented manifold, and its own faces are as before.
 
-#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -3,7 +3,7 @@
 //
 // The components that bound cavities, and the rest without them.
 
-#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>

@@ -8,7 +8,6 @@
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
 #include "support/invariants.h"
-#include "support/name_of_shape.h"
 #include "support/point_skeletons.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
@@ -134,7 +133,7 @@ protected:
   Shape m_shape = GetParam().make();
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Sampled_cloud, testing::ValuesIn(shapes()), CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(All, Sampled_cloud, testing::ValuesIn(shapes()), testing::PrintToStringParamName());
 
 TEST_P(Sampled_cloud, has_the_topology_of_the_shape)
 {

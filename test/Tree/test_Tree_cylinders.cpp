@@ -3,6 +3,8 @@
 //
 // Cylinders and measures of drawn trees, and their table.
 
+#include "support/convert_shape.h"
+#include "support/swept_shapes.h"
 #include <CSCD/IO/write_tables.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
@@ -22,6 +24,7 @@
 
 namespace {
 
+using CSCD::test::pi;
 using Drawn_tree_point = CGAL::Simple_cartesian<double>::Point_3;
 using Drawn_tree = CSCD::Skeleton_graph<Drawn_tree_point, std::size_t>;
 
@@ -29,22 +32,8 @@ using Drawn_tree = CSCD::Skeleton_graph<Drawn_tree_point, std::size_t>;
 /// limb of radius 0.1 along x, to 1.3 in two pieces.
 Drawn_tree drawn_tree()
 {
-  Drawn_tree tree;
-  const auto add = [&tree](double x, double z, double radius) {
-    auto& node = tree[add_vertex(tree)];
-    node.point = Drawn_tree_point(x, 0, z);
-    node.radius = radius;
-  };
-  add(0, 10, 0.4);
-  add(0, 12, 0.3);
-  add(0, 14, 0.2);
-  add(0.8, 12, 0.1);
-  add(1.3, 12, 0.1);
-  add_edge(0, 1, tree);
-  add_edge(1, 2, tree);
-  add_edge(1, 3, tree);
-  add_edge(3, 4, tree);
-  return tree;
+  return CSCD::test::to_graph<Drawn_tree>({{0, 0, 10}, {0, 0, 12}, {0, 0, 14}, {0.8, 0, 12}, {1.3, 0, 12}},
+                                          {{0, 1}, {1, 2}, {1, 3}, {3, 4}}, {0.4, 0.3, 0.2, 0.1, 0.1});
 }
 
 CSCD::Tree_report drawn_tree_report()
@@ -94,7 +83,6 @@ TEST(Tree_cylinders, what_is_within_the_parent_is_none)
 
 TEST(Measure_trees, gives_what_foresters_read)
 {
-  constexpr double pi = 3.141592653589793;
   const double trunk = pi * 2 * (0.35 * 0.35 + 0.25 * 0.25);
   CSCD::Tree_report report = drawn_tree_report();
   const CSCD::Tree_measures tree = measure_trees(drawn_tree(), report).at(0);

@@ -92,15 +92,7 @@ Tree_outcome tree_of(const std::vector<Triple>& triples)
 {
   Tree_outcome outcome;
   outcome.report = CSCD::extract_tree_skeleton(CSCD::test::to_points<Tree_point>(triples), outcome.skeleton);
-  std::vector<std::size_t> numbers;
-  for (std::size_t node = 0; node < num_vertices(outcome.skeleton); ++node) {
-    numbers.insert(numbers.end(), outcome.skeleton[node].vertices.begin(), outcome.skeleton[node].vertices.end());
-  }
-  std::sort(numbers.begin(), numbers.end());
-  EXPECT_EQ(triples.size(), numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    EXPECT_EQ(i, numbers[i]);
-  }
+  CSCD::test::expect_partition(outcome.skeleton, triples.size());
   const CSCD::test::Skeleton_facts facts = CSCD::test::skeleton_facts(outcome.skeleton);
   EXPECT_EQ(CSCD::test::Violations{}, CSCD::test::violations_of_graph(outcome.skeleton));
   EXPECT_EQ(0u, facts.betti_number);

@@ -21,15 +21,13 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <cstdlib>
 #include <random>
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -42,35 +40,13 @@ using Separators = std::vector<std::vector<Point>>;
 using CSCD::test::box_mesh;
 using CSCD::test::fork_in_box;
 
-/// The standard output of a shell command.
-std::string output_of(const std::string& command)
-{
-  std::string output;
-  std::array<char, 4096> buffer{};
-  std::FILE* pipe = popen(command.c_str(), "r");
-  for (std::size_t count = 1; pipe != nullptr && count > 0;) {
-    count = std::fread(buffer.data(), 1, buffer.size(), pipe);
-    output.append(buffer.data(), count);
-  }
-  if (pipe != nullptr) {
-    pclose(pipe);
-  }
-  return output;
-}
-
-/// The command for Chromium; empty without Chromium.
-std::string chromium()
-{
-  const std::string path = output_of("command -v chromium || command -v chromium-browser || command -v google-chrome");
-  return path.substr(0, path.find('\n'));
-}
-
 class Page_in_chromium : public testing::Test
 {
 protected:
   void SetUp() override
   {
-    m_chromium = chromium();
+    std::istringstream(output_of("command -v chromium || command -v chromium-browser || command -v google-chrome")) >>
+        m_chromium;
     if (m_chromium.empty()) {
       CSCD_TEST_SKIP_OR_FAIL("Chromium is not installed (package chromium)");
     }
@@ -87,21 +63,28 @@ protected:
     return out.str();
   }
 
+  /// The standard output of a shell command.
+  std::string output_of(const std::string& command) const
+  {
+    const std::string file = m_folder.file("output");
+    std::ignore = std::system(("(" + command + ") > '" + file + "'").c_str());
+    return test_support::read_file(file);
+  }
+
   /// The findings of the script that is put behind the scripts of `page`, or of its function `only` if that is given.
   /// Graphics are computed in software, so that the test runs on machines without display and graphics card; network
   /// services of the browser are off. The time limit is many times what it takes.
   std::string self_test(std::string page, const std::string& only = "") const
   {
-    std::ifstream script(CSCD_SELF_TEST, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(script), std::istreambuf_iterator<char>()};
-    boost::algorithm::replace_last(page, "</body>", "<script type=\"module\">\n" + text + "</script>\n</body>");
-    std::ofstream(m_folder.file("page.html"), std::ios::binary) << page;
+    const std::string script = test_support::read_file(CSCD_SELF_TEST);
+    boost::algorithm::replace_last(page, "</body>", "<script type=\"module\">\n" + script + "</script>\n</body>");
+    const std::string file = m_folder.write("page.html", page);
     const std::string command =
         "timeout 120 " + m_chromium +
         " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist"
         " --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-quic"
         " --disable-dev-shm-usage --window-size=640,420 --virtual-time-budget=5000 --user-data-dir='" +
-        m_folder.file("profile") + "' --dump-dom 'file://" + m_folder.file("page.html") + "?" + only + "' 2>/dev/null";
+        m_folder.file("profile") + "' --dump-dom 'file://" + file + "?" + only + "' 2>/dev/null";
     const std::string dom = output_of(command);
     const std::string begin = "<pre id=\"selftest\">";
     const std::size_t first = dom.find(begin);

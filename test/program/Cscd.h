@@ -8,12 +8,12 @@
 
 #include "IO/mesh_files.h"
 #include "support/Temporary_folder.h"
+#include "support/swept_shapes.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <string>
@@ -22,25 +22,10 @@
 
 namespace test_support {
 
-/// A torus, whose skeleton is one cycle.
-inline Mesh_file_content torus(std::size_t around = 60, std::size_t across = 24)
+/// A torus of radii 3 and 1, whose skeleton is one cycle.
+inline Mesh_file_content torus(std::size_t around = 24)
 {
-  constexpr double pi = 3.141592653589793;
-  Mesh_file_content mesh;
-  for (std::size_t i = 0; i < around; ++i) {
-    for (std::size_t j = 0; j < across; ++j) {
-      const double u = 2 * pi * double(i) / double(around);
-      const double v = 2 * pi * double(j) / double(across);
-      mesh.points.push_back({(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
-      const std::size_t a = i * across + j;
-      const std::size_t b = (i + 1) % around * across + j;
-      const std::size_t c = (i + 1) % around * across + (j + 1) % across;
-      const std::size_t d = i * across + (j + 1) % across;
-      mesh.polygons.push_back({a, b, c});
-      mesh.polygons.push_back({a, c, d});
-    }
-  }
-  return mesh;
+  return file_content(CSCD::test::torus(3, 1, around));
 }
 
 /// The outcome of a run of the program.

@@ -8,6 +8,8 @@
 #include "support/Shape.h"
 #include "support/Temporary_folder.h"
 #include "support/limb_shapes.h"
+#include "support/shape_operations.h"
+#include "support/simple_shapes.h"
 #include "support/skip_or_fail.h"
 #include <CSCD/version.h>
 
@@ -29,16 +31,8 @@
 namespace {
 
 using namespace test_support;
-
-Mesh_file_content file_content(const CSCD::test::Shape& shape)
-{
-  Mesh_file_content mesh;
-  mesh.points = shape.points;
-  for (const CSCD::test::Triangle& triangle : shape.triangles) {
-    mesh.polygons.push_back({triangle.begin(), triangle.end()});
-  }
-  return mesh;
-}
+using CSCD::test::Shape;
+using CSCD::test::Triple;
 
 /// Whether `text` holds a graph of GEL of one cycle.
 bool is_graph_of_a_cycle(const std::string& text)
@@ -293,10 +287,10 @@ TEST_F(Cscd, skeletonizes_points)
   m_folder.write("torus.off", off({torus().points, {}}));
   for (const char* name : {"torus.xyz", "torus.off", "- --format xyz < torus.xyz"}) {
     const Outcome outcome = run_well(std::string("skeletonize -o t.graph --report r.json -o t.html ") + name);
-    EXPECT_NE(std::string::npos, outcome.out.find("1440 points, 1 component, genus 1")) << outcome.out;
+    EXPECT_NE(std::string::npos, outcome.out.find("1776 points, 1 component, genus 1")) << outcome.out;
     EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
     const nlohmann::json report = json("r.json");
-    EXPECT_EQ(1440, report.at("number_of_sites"));
+    EXPECT_EQ(1776, report.at("number_of_sites"));
     EXPECT_EQ(16, report.at("reconstruction").at("number_of_neighbors"));
     EXPECT_LT(0, report.at("reconstruction").at("spacing"));
     EXPECT_EQ(0, report.at("reconstruction").at("cut_handles").size());
@@ -341,10 +335,10 @@ TEST_F(Cscd, says_what_the_numbers_behind_coordinates_are)
   m_folder.write("normals.xyz", normals.str());
   m_folder.write("colors.xyz", colors.str());
   const Outcome with_normals = run("skeletonize normals.xyz -o a.graph");
-  EXPECT_NE(std::string::npos, with_normals.out.find("1440 points with normals, ")) << with_normals.out;
+  EXPECT_NE(std::string::npos, with_normals.out.find("1776 points with normals, ")) << with_normals.out;
   EXPECT_EQ(std::string::npos, with_normals.err.find("colors"));
   const Outcome with_colors = run("skeletonize colors.xyz -o b.graph");
-  EXPECT_NE(std::string::npos, with_colors.out.find("1440 points, ")) << with_colors.out;
+  EXPECT_NE(std::string::npos, with_colors.out.find("1776 points, ")) << with_colors.out;
   EXPECT_NE(std::string::npos,
             with_colors.err.find("colors.xyz: three numbers behind the coordinates are not normals"));
 }
@@ -354,7 +348,7 @@ TEST_F(Cscd, lists_the_openings_of_points)
   std::ostringstream tube; // open at both ends
   for (int i = 0; i < 60; ++i) {
     for (int j = 0; j < 24; ++j) {
-      const double angle = (2 * j + i % 2) * 3.141592653589793 / 24;
+      const double angle = (2 * j + i % 2) * CSCD::test::pi / 24;
       tube << 0.26 * i << ' ' << std::cos(angle) << ' ' << std::sin(angle) << '\n';
     }
   }
@@ -482,20 +476,10 @@ TEST_F(Cscd, writes_which_node_each_vertex_belongs_to)
 
 TEST_F(Cscd, wraps_parts_that_cut_each_other)
 {
-  // Two capsules that cross.
-  Mesh_file_content mesh = file_content(CSCD::test::capsule(8, 1, 24));
-  const std::size_t size = mesh.points.size();
-  for (std::size_t v = 0; v < size; ++v) {
-    const auto [x, y, z] = mesh.points[v];
-    mesh.points.push_back({4 - z, y, x - 4});
-  }
-  for (std::size_t i = 0, number = mesh.polygons.size(); i < number; ++i) {
-    mesh.polygons.push_back(mesh.polygons[i]);
-    for (std::size_t& corner : mesh.polygons.back()) {
-      corner += size;
-    }
-  }
-  m_folder.write("parts.off", off(mesh));
+  const Shape capsule = CSCD::test::capsule(8, 1, 24);
+  const Shape across = moved(capsule, [](const Triple& p) { return Triple{4 - p[2], p[1], p[0] - 4}; });
+  const Shape parts = CSCD::test::merged("", {capsule, across});
+  m_folder.write("parts.off", off(file_content(parts)));
   run_well("skeletonize parts.off --report parts.json -q");
   EXPECT_EQ(2, json("parts.json").at("number_of_skeleton_components"));
   run_well("skeletonize parts.off --wrap 0.03 --report wrap.json --correspondence wrap.csv");
@@ -503,7 +487,7 @@ TEST_F(Cscd, wraps_parts_that_cut_each_other)
   EXPECT_EQ(1, json("wrap.json").at("number_of_skeleton_components"));
   EXPECT_EQ(4, json("wrap.json").at("number_of_tips"));
   EXPECT_EQ(0, json("wrap.json").at("number_of_edges_outside"));
-  EXPECT_EQ(2 * size + 1, number_of_lines(content("wrap.csv")));
+  EXPECT_EQ(parts.points.size() + 1, number_of_lines(content("wrap.csv")));
   EXPECT_EQ(std::string::npos, content("wrap.csv").find(",,")) << "a vertex without a node";
 
   m_folder.write("pole.xyz", pole());
@@ -625,21 +609,10 @@ TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
 TEST_F(Cscd, joins_fragments_and_leaves_out_dust)
 {
   // A torus, a second one next to it, and a cube far away.
-  Mesh_file_content mesh = torus();
-  for (const double x : {10., 20.}) {
-    const Mesh_file_content part = x == 10 ? torus() : cube();
-    const std::size_t first = mesh.points.size();
-    for (const auto& p : part.points) {
-      mesh.points.push_back({p[0] + x, p[1], p[2]});
-    }
-    for (auto polygon : part.polygons) {
-      for (std::size_t& v : polygon) {
-        v += first;
-      }
-      mesh.polygons.push_back(polygon);
-    }
-  }
-  m_folder.write("three.off", off(mesh));
+  const Shape ring = CSCD::test::torus(3, 1, 24);
+  const Shape three = CSCD::test::merged(
+      "", {ring, CSCD::test::translated(ring, {10, 0, 0}), CSCD::test::translated(CSCD::test::cube(), {20, 0, 0})});
+  m_folder.write("three.off", off(file_content(three)));
   run_well("skeletonize three.off -o t.json --report r.json -q");
   nlohmann::json report = json("r.json");
   EXPECT_EQ(3, report.at("number_of_skeleton_components"));
@@ -704,7 +677,7 @@ TEST_F(Cscd, writes_rigs)
 TEST_F(Cscd, prints_a_summary)
 {
   const Outcome outcome = run_well("skeletonize torus.off");
-  EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1440 vertices, 1 component, genus 1\nskeleton: ", 0)) << outcome.out;
+  EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1776 vertices, 1 component, genus 1\nskeleton: ", 0)) << outcome.out;
   EXPECT_NE(std::string::npos, outcome.out.find("1 component, 1 cycle, 0 tips, 0 junctions\ntime: ")) << outcome.out;
   EXPECT_EQ(3, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
   // No progress bar, as this is not a terminal.
@@ -718,7 +691,7 @@ TEST_F(Cscd, writes_to_standard_output)
   EXPECT_TRUE(is_graph_of_a_cycle(outcome.out));
   EXPECT_EQ(content("t.graph"), outcome.out);
   const Outcome report = run_well("skeletonize torus.off -o t.graph --report -");
-  EXPECT_EQ(1440, nlohmann::json::parse(report.out).at("number_of_sites"));
+  EXPECT_EQ(1776, nlohmann::json::parse(report.out).at("number_of_sites"));
   EXPECT_EQ(2, m_folder.number_of_files());
 }
 
@@ -782,14 +755,14 @@ TEST_F(Cscd, reports_as_json)
   EXPECT_EQ(1, report.at("number_of_threads"));
   EXPECT_TRUE(report.at("repairs").empty());
   EXPECT_TRUE(report.at("warnings").is_array());
-  EXPECT_EQ(1440, report.at("number_of_sites"));
+  EXPECT_EQ(1776, report.at("number_of_sites"));
   EXPECT_EQ(1, report.at("genus"));
   EXPECT_EQ(1, report.at("betti_number"));
   EXPECT_EQ(1, report.at("number_of_surface_components"));
   EXPECT_EQ(1, report.at("number_of_skeleton_components"));
   EXPECT_EQ(skeleton.at("nodes").size(), report.at("number_of_nodes"));
   EXPECT_EQ(skeleton.at("edges").size(), report.at("number_of_edges"));
-  EXPECT_EQ(1440u, number_of_sites(skeleton)); // all vertices
+  EXPECT_EQ(1776u, number_of_sites(skeleton)); // all vertices
   for (const nlohmann::json& node : skeleton.at("nodes")) {
     EXPECT_NEAR(1, node.at("radius").get<double>(), 0.1);
   }
@@ -894,10 +867,9 @@ TEST_F(Cscd, writes_a_page_with_all_in_it)
 /// A graph of GEL of a circle in the middle of the torus.
 std::string circle(double radius = 3, std::size_t number_of_nodes = 60)
 {
-  constexpr double pi = 3.141592653589793;
   std::ostringstream out;
   for (std::size_t i = 0; i < number_of_nodes; ++i) {
-    const double angle = 2 * pi * double(i) / double(number_of_nodes);
+    const double angle = 2 * CSCD::test::pi * double(i) / double(number_of_nodes);
     out << "n " << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << " 0\n";
   }
   for (std::size_t i = 0; i < number_of_nodes; ++i) {
@@ -916,7 +888,7 @@ TEST_F(Cscd, evaluates_a_skeleton)
   EXPECT_EQ("torus.off", measures.at("input"));
   EXPECT_EQ("circle.graph", measures.at("skeleton"));
   EXPECT_EQ("estimated", measures.at("radii"));
-  EXPECT_EQ(1440, measures.at("number_of_points"));
+  EXPECT_EQ(1776, measures.at("number_of_points"));
   EXPECT_EQ(true, measures.at("has_topology_of_surface"));
   EXPECT_EQ(1, measures.at("counts").at("betti_number"));
   EXPECT_EQ(1, measures.at("position").at("genus"));
@@ -950,7 +922,7 @@ TEST_F(Cscd, evaluates_for_people)
 {
   m_folder.write("circle.graph", circle());
   const Outcome outcome = run_well("evaluate torus.off circle.graph");
-  EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1440 vertices, 1 component, genus 1\ncircle.graph: 60 nodes, 60 edges, "
+  EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1776 vertices, 1 component, genus 1\ncircle.graph: 60 nodes, 60 edges, "
                                   "1 component, 1 cycle, 0 tips, 0 junctions\ntopology: that of the surface\n",
                                   0))
       << outcome.out;

@@ -23,7 +23,7 @@ class Faults : public Cscd
 protected:
   Faults()
   {
-    m_folder.write("torus.off", off(torus(20, 8)));
+    m_folder.write("torus.off", off(torus(8)));
     EXPECT_EQ(0, run(m_arguments).status);
     m_expected = outputs();
     EXPECT_EQ(m_expected.size(), 4u);
@@ -130,7 +130,7 @@ TEST_F(Faults, memory_is_limited_to_what_the_machine_has)
 
 TEST_F(Faults, without_the_memory_that_it_needs_there_is_a_message_and_no_output)
 {
-  m_folder.write("large.off", off(torus(600, 400)));
+  m_folder.write("large.off", off(torus(282)));
   const Outcome outcome = run("skeletonize large.off --quiet -o large.graph", "ulimit -d 40000;");
   EXPECT_EQ(outcome.status, 3);
   EXPECT_NE(outcome.err.find("not enough memory"), std::string::npos) << outcome.err;

@@ -81,8 +81,6 @@ struct Shape
   /// Counts of a good skeleton, where they are unambiguous.
   std::optional<std::size_t> number_of_tips;
   std::optional<std::size_t> number_of_junctions;
-
-  bool is_closed() const { return number_of_border_cycles == 0; }
 };
 
 /// The length of the diagonal of the bounding box of `shape`.

@@ -7,7 +7,7 @@
 #define CSCD_TEST_SUPPORT_SHAPE_SOLID_H
 
 #include "Shape.h"
-#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>

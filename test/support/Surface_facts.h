@@ -12,6 +12,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <iterator>
 
 namespace CSCD::test {
 
@@ -23,8 +24,6 @@ struct Surface_facts
   std::size_t number_of_components = 0;
   std::size_t number_of_border_cycles = 0;
   std::size_t genus = 0; ///< summed over the components, every border closed by a disc
-
-  bool is_closed() const { return number_of_border_cycles == 0; }
 };
 
 template <class Mesh>
@@ -56,14 +55,8 @@ Surface_facts surface_facts(const Mesh& mesh)
     const bool is_isolated = halfedge(v, mesh) == boost::graph_traits<Mesh>::null_halfedge();
     ++(is_isolated ? facts.number_of_isolated_vertices : facts.number_of_vertices);
   }
-  std::size_t number_of_halfedges = 0;
-  for ([[maybe_unused]] const auto h : halfedges(mesh)) {
-    ++number_of_halfedges;
-  }
-  std::size_t number_of_faces = 0;
-  for ([[maybe_unused]] const auto f : faces(mesh)) {
-    ++number_of_faces;
-  }
+  const auto number_of_faces = std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end()));
+  const auto number_of_halfedges = std::size_t(std::distance(halfedges(mesh).begin(), halfedges(mesh).end()));
   const auto component = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
   facts.number_of_components = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
   facts.number_of_border_cycles = count_border_cycles(mesh);

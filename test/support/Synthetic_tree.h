@@ -9,6 +9,7 @@
 #include "Shape.h"
 #include "sampling.h"
 #include "shape_operations.h"
+#include "swept_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,8 +111,6 @@ public:
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
-
   static Triple any_normal(const Triple& direction)
   {
     return unit(cross(direction, std::abs(direction[2]) < 0.9 ? Triple{0, 0, 1} : Triple{1, 0, 0}));

@@ -7,6 +7,7 @@
 #define CSCD_TEST_SUPPORT_CONVERT_SHAPE_H
 
 #include "Shape.h"
+#include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -16,6 +17,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CSCD::test {
@@ -70,6 +72,25 @@ Shape to_shape(const Mesh& mesh)
     shape.triangles.push_back(triangle);
   }
   return shape;
+}
+
+/// The graph with nodes at `points` and with `edges` between them.
+/// \tparam Graph an adjacency list whose nodes have a member `point` and, if there are `radii`, a member `radius`
+template <class Graph>
+Graph to_graph(const std::vector<Triple>& points, const std::vector<std::pair<std::size_t, std::size_t>>& edges,
+               const std::vector<double>& radii = {})
+{
+  Graph graph(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    graph[v].point = {points[v][0], points[v][1], points[v][2]};
+    if constexpr (has_radius_v<Graph>) {
+      graph[v].radius = radii.empty() ? 0 : radii[v];
+    }
+  }
+  for (const auto& [a, b] : edges) {
+    add_edge(a, b, graph);
+  }
+  return graph;
 }
 
 /// The skeleton of straight segments, with their radii; equal ends are one node.

@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CSCD::test {
@@ -37,20 +36,13 @@ inline constexpr double fork_radius = 0.4;
 template <class Skeleton>
 Skeleton fork_in_box(const Box_mesh& mesh, const Triple& middle = {0, 0, 0})
 {
-  const std::vector<Triple> places{{-1.6, 0, 0}, {-0.8, 0, 0}, {0, 0, 0}, {1.6, 0.3, 0.3}, {1.6, -0.3, -0.3}};
-  Skeleton skeleton(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Triple place = middle + places[i];
-    skeleton[i].point = Box_mesh::Point(place[0], place[1], place[2]);
-    if constexpr (has_radius_v<Skeleton>) {
-      skeleton[i].radius = fork_radius;
-    }
+  std::vector<Triple> places{{-1.6, 0, 0}, {-0.8, 0, 0}, {0, 0, 0}, {1.6, 0.3, 0.3}, {1.6, -0.3, -0.3}};
+  for (Triple& place : places) {
+    place = middle + place;
   }
+  auto skeleton = to_graph<Skeleton>(places, {{0, 1}, {1, 2}, {2, 3}, {2, 4}}, std::vector<double>(5, fork_radius));
   for (const Box_mesh::Vertex_index v : mesh.vertices()) {
     skeleton[v.idx() % places.size()].vertices.push_back(v);
-  }
-  for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {2, 3}, {2, 4}}) {
-    add_edge(a, b, skeleton);
   }
   return skeleton;
 }

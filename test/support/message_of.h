@@ -3,8 +3,8 @@
 //
 // The message of the Input_error that a call throws.
 
-#ifndef CSCD_TEST_TRAITS_MESSAGE_OF_H
-#define CSCD_TEST_TRAITS_MESSAGE_OF_H
+#ifndef CSCD_TEST_SUPPORT_MESSAGE_OF_H
+#define CSCD_TEST_SUPPORT_MESSAGE_OF_H
 
 #include <CSCD/exceptions.h>
 
@@ -32,4 +32,4 @@ inline bool names(const std::string& message, const std::string& beginning)
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_TRAITS_MESSAGE_OF_H
+#endif // CSCD_TEST_SUPPORT_MESSAGE_OF_H
