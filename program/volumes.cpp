@@ -165,7 +165,6 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
       return;
     }
     surface.turn_cavities();
-    surface.pairing = {};
     const bool is_large = surface.triangles.points.size() > large_size;
     if (is_large) {
       skeletonize_waiting();

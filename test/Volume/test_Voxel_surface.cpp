@@ -91,8 +91,8 @@ int euler_number_of_voxels(const Volume& volume, std::uint32_t label, Voxel_conn
 
 bool is_closed_manifold(const Voxel_surface& surface)
 {
-  return surface.pairing.conflict() == CSCD::no_index && !surface.pairing.has_border() &&
-         surface.pairing.pinched_vertex() == CSCD::no_index;
+  const CSCD::Halfedge_pairing pairing(surface.triangles.faces, surface.triangles.points.size());
+  return pairing.conflict() == CSCD::no_index && !pairing.has_border() && pairing.pinched_vertex() == CSCD::no_index;
 }
 
 int euler_number_of_surface(const Voxel_surface& surface)

@@ -43,8 +43,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string file = folder.write(name, bytes.rest());
   try {
     for (const CSCD::Voxel_surface& surface : CSCD::read_voxel_surfaces(file, {std::nullopt, std::nullopt, true})) {
-      if (surface.pairing.conflict() != CSCD::no_index || surface.pairing.has_border() ||
-          surface.triangles.faces.empty()) {
+      const CSCD::Halfedge_pairing pairing(surface.triangles.faces, surface.triangles.points.size());
+      if (pairing.conflict() != CSCD::no_index || pairing.has_border() || surface.triangles.faces.empty()) {
         std::cerr << "not closed\n";
         std::abort();
       }

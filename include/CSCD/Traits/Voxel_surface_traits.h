@@ -28,7 +28,7 @@ public:
   explicit Voxel_surface_traits(Voxel_surface surface)
   {
     surface.turn_cavities();
-    this->m_surface.emplace(std::move(surface.triangles), std::move(surface.pairing));
+    this->m_surface.emplace(std::move(surface.triangles.points), std::move(surface.triangles.faces));
     this->describe_solid([](Index number) { return std::size_t(number); });
   }
 };

@@ -92,8 +92,6 @@ struct Voxel_surface
   std::uint32_t label = 0;
   /// Oriented outwards, in space.
   Indexed_triangles triangles;
-  /// The pairing of the halfedges.
-  Halfedge_pairing pairing;
   /// The number of voxels with the label.
   std::size_t number_of_voxels = 0;
   /// The number of cavities, whether filled or not.
@@ -105,6 +103,7 @@ struct Voxel_surface
   {
     if (number_of_cavities > 0) {
       internal::Surface_components components(triangles);
+      Halfedge_pairing pairing;
       internal::orient_outwards(triangles, pairing, components);
     }
   }
@@ -448,18 +447,16 @@ private:
       m_upper_corners.corners.push_back({body, std::uint8_t(octants), Index(points.size())});
       const internal::Corner_sheets& sheets = m_sheets[octants];
       const Vector3 place{double(x), double(y), double(m_number_of_slices)};
+      points.insert(points.end(), sheets.number_of_vertices, place);
       if (!sheets.has_tube) {
-        for (unsigned i = 0; i < sheets.number_of_vertices; ++i) {
-          points.push_back(place);
-        }
         continue;
       }
+      const Index first_vertex = m_upper_corners.corners.back().first_vertex;
       constexpr double tube_radius = 0.25; // voxels: half way to the middles of edges
       for (unsigned half_axis = 0; half_axis < internal::number_of_half_axes; ++half_axis) {
-        points.push_back(place);
-        points.back()[half_axis / 2] += (half_axis & 1U) != 0 ? tube_radius : -tube_radius;
+        points[first_vertex + half_axis][half_axis / 2] += (half_axis & 1U) != 0 ? tube_radius : -tube_radius;
       }
-      add_tube(shape, m_upper_corners.corners.back().first_vertex, octants);
+      add_tube(shape, first_vertex, octants);
     }
   }
 
@@ -475,11 +472,8 @@ private:
       const Index b = first_vertex + 2 + (octant >> 1U & 1U);
       const Index c = first_vertex + 4 + (octant >> 2U & 1U);
       const bool is_counterclockwise = ((octant ^ octant >> 1U ^ octant >> 2U) & 1U) != 0;
-      if (is_counterclockwise == m_joins_diagonally) {
-        shape.triangles.faces.push_back({a, b, c});
-      } else {
-        shape.triangles.faces.push_back({a, c, b});
-      }
+      const bool is_turned = is_counterclockwise != m_joins_diagonally;
+      shape.triangles.faces.push_back({a, is_turned ? c : b, is_turned ? b : c});
     }
   }
 
@@ -553,18 +547,15 @@ private:
   {
     const std::uint64_t position = (place[2] * (m_grid.size[1] + 1) + place[1]) * (m_row - 1) + place[0];
     const Edge_copy key{(position * 3 + unsigned(axis)) * internal::number_of_octants + octant, body};
-    const auto found = m_open_middles.find(key);
-    if (found != m_open_middles.end()) {
-      const Index middle = found->second;
-      m_open_middles.erase(found);
-      return middle;
-    }
-    Vector3 point{double(place[0]), double(place[1]), double(place[2])};
-    point[axis] += 0.5;
     std::vector<Vector3>& points = m_shapes[body - 1].triangles.points;
-    points.push_back(point);
-    const auto middle = Index(points.size() - 1);
-    m_open_middles.emplace(key, middle);
+    const auto [entry, is_new] = m_open_middles.emplace(key, Index(points.size()));
+    const Index middle = entry->second;
+    if (is_new) {
+      points.emplace_back(double(place[0]), double(place[1]), double(place[2]));
+      points.back()[axis] += 0.5;
+    } else {
+      m_open_middles.erase(entry);
+    }
     return middle;
   }
 
@@ -593,10 +584,7 @@ private:
 
   Voxel_surface make_surface(Shape&& shape) const
   {
-    Voxel_surface result;
-    result.label = shape.label;
-    result.number_of_voxels = shape.number_of_voxels;
-    result.triangles = std::move(shape.triangles);
+    Voxel_surface result{shape.label, std::move(shape.triangles), shape.number_of_voxels, 0};
     Indexed_triangles& triangles = result.triangles;
     triangles.first_hole_filling_face = triangles.faces.size();
     const internal::Surface_components components(triangles);
@@ -616,8 +604,6 @@ private:
         std::swap(face[1], face[2]);
       }
     }
-    result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-    CGAL_postcondition(result.pairing.conflict() == no_index && !result.pairing.has_border());
     return result;
   }
 
