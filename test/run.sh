@@ -126,5 +126,14 @@ done
 
 echo "Seconds of each step, $SECONDS in all:"
 printf '%s\n' "${summary[@]}"
+# lines_of <path>... the lines of code that Git knows
+lines_of()
+{
+  git ls-files -z "$@" | xargs -0 cat | wc -l
+}
+echo "Lines of code:"
+echo "$(lines_of include src) include, src"
+echo "$(lines_of 'test/*.cpp' 'test/*.h' 'test/*.py' 'test/*.js') test"
+echo "$(lines_of 'benchmark/*.cpp' 'benchmark/*.h' 'benchmark/*.py' 'benchmark/*.sh') benchmark"
 echo "CPU time of the shell, and of all that it ran (user, system):"
 times # in a pipe, it would report those of a subshell
