@@ -192,6 +192,9 @@ TEST_F(Cscd, prints_its_version)
 {
   const Outcome outcome = run_well("--version");
   EXPECT_EQ("cscd " CSCD_VERSION "\n", outcome.out);
+  std::ostringstream numbers;
+  numbers << CSCD_VERSION_MAJOR << '.' << CSCD_VERSION_MINOR << '.' << CSCD_VERSION_PATCH;
+  EXPECT_EQ(CSCD_VERSION, numbers.str());
 }
 
 TEST_F(Cscd, refuses_bad_usage)
