@@ -17,8 +17,10 @@
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/concepts.h>
+#include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -326,6 +328,22 @@ TEST_P(Published_invariance, under_renumbering)
   const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(m_shape, 1);
   const Plain_skeleton expected = renamed(skeletonized(m_shape), other.new_number);
   EXPECT_EQ(difference(expected, skeletonized(other.shape), relative_tolerance * diagonal(m_shape)), "");
+}
+
+struct Stopping_visitor : CSCD::Default_skeletonization_visitor
+{
+  void progress(double fraction) { m_fraction = fraction; }
+  bool go_further() const { return m_fraction < 0.3; }
+  double m_fraction = 0;
+};
+
+TEST(Published_policies, can_be_stopped)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  const Traits traits(mesh);
+  CSCD::Curve_skeletonization<Traits, Policies, Stopping_visitor> skeletonization(traits);
+  EXPECT_THROW(skeletonization.find_separators(), CSCD::Cancelled_error);
+  EXPECT_LT(skeletonization.report().number_of_sources, Policies::default_number_of_sources / 2);
 }
 
 } // namespace
