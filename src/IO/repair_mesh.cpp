@@ -332,7 +332,7 @@ Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filen
   if (!pairing->has_border()) {
     Surface_components components(result.triangles);
     result.report.number_of_turned_components =
-        orient_outwards(result.triangles, *pairing, components, Cavity_search(result.triangles, components)());
+        orient_outwards(result.triangles, components, Cavity_search(result.triangles, components)());
   }
   return result;
 }

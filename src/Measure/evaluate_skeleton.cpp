@@ -162,7 +162,9 @@ struct Measured_body
     }
     Surface_components components(triangles);
     number_of_points -= fill_cavities(triangles, pairing, components, number_of_points).vertices.size();
-    orient_outwards(triangles, pairing, components);
+    if (orient_outwards(triangles, components) > 0) {
+      pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+    }
     split_two_face_components(triangles, pairing, components);
     number_of_components = components.number();
     // Vertices with near numbers should be near in space, for the queries' sake.

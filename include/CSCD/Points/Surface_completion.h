@@ -136,7 +136,9 @@ private:
     m_surface.report.number_of_holes = sizes_of_holes().size();
     bridge();
     Surface_components components(m_surface.triangles);
-    orient_outwards(m_surface.triangles, m_surface.pairing, components);
+    if (orient_outwards(m_surface.triangles, components) > 0) {
+      m_surface.pairing = Halfedge_pairing(m_surface.triangles.faces, m_surface.triangles.points.size());
+    }
     m_number_of_components = components.number();
   }
 

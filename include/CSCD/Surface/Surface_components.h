@@ -159,10 +159,10 @@ std::vector<Index> remove_components(Indexed_triangles& triangles, const Surface
 /// Reverses the faces of all components that enclose a negative volume: each component is then a body of its own.
 /// Linear.
 /// \param is_cavity of each component, whether it is to stay as it is; may be empty
-/// \return the number of components that were reversed
-/// \pre `pairing` and `components` are those of `triangles`, and are kept so
-inline std::size_t orient_outwards(Indexed_triangles& triangles, Halfedge_pairing& pairing,
-                                   Surface_components& components, const std::vector<char>& is_cavity = {})
+/// \return the number of components that were reversed; if there are some, a pairing of the faces must be made anew
+/// \pre `components` are those of `triangles`, and are kept so
+inline std::size_t orient_outwards(Indexed_triangles& triangles, Surface_components& components,
+                                   const std::vector<char>& is_cavity = {})
 {
   std::size_t number_of_reversed = 0;
   std::vector<char> is_reversed(components.number(), 0);
@@ -180,7 +180,6 @@ inline std::size_t orient_outwards(Indexed_triangles& triangles, Halfedge_pairin
         std::swap(triangles.faces[f][1], triangles.faces[f][2]);
       }
     }
-    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
   return number_of_reversed;
 }

@@ -108,7 +108,10 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
     input_number = internal::reordered(input_number, cavities.old_number);
     m_side_of_sheet = internal::reordered(m_side_of_sheet, cavities.old_number);
   }
-  const std::size_t number_of_reversed_components = internal::orient_outwards(triangles, pairing, components);
+  const std::size_t number_of_reversed_components = internal::orient_outwards(triangles, components);
+  if (number_of_reversed_components > 0) {
+    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
   internal::split_two_face_components(triangles, pairing, components);
   const bool has_many_limbs = internal::refine_large_faces(triangles, pairing, components);
   m_report.number_of_inserted_vertices += triangles.points.size() - input_number.size();

@@ -103,8 +103,7 @@ struct Voxel_surface
   {
     if (number_of_cavities > 0) {
       internal::Surface_components components(triangles);
-      Halfedge_pairing pairing;
-      internal::orient_outwards(triangles, pairing, components);
+      internal::orient_outwards(triangles, components);
     }
   }
 };
