@@ -87,7 +87,7 @@ struct Inflating_stream::State
 
   std::istream& in;
   std::string filename;
-  std::vector<char> buffer = std::vector<char>(std::size_t(1) << 16U);
+  std::vector<char> buffer = std::vector<char>(read_block_size);
   z_stream stream{};
   bool is_between_streams = true;
 };
@@ -125,11 +125,10 @@ void Inflating_stream::read(char* bytes, std::size_t size)
 
 std::string Inflating_stream::read_all(std::size_t max_size)
 {
-  constexpr std::size_t block_size = std::size_t(1) << 16U; // bytes; as for files that are not compressed
   std::string result;
-  for (std::size_t added = block_size; added > 0;) {
+  for (std::size_t added = read_block_size; added > 0;) {
     const std::size_t size = result.size();
-    result.resize(size + std::min(block_size, max_size - size));
+    result.resize(size + std::min(read_block_size, max_size - size));
     added = m_state->read_some(result.data() + size, result.size() - size);
     result.resize(size + added);
   }

@@ -19,6 +19,9 @@
 
 namespace CSCD::internal {
 
+/// Bytes that are read at once: the calls do not count, and small files are fast.
+inline constexpr std::size_t read_block_size = std::size_t(1) << 16U;
+
 /// Bytes that stand in a file as they are or in Base64, read piece by piece.
 class Encoded_bytes
 {

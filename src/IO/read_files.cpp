@@ -227,13 +227,12 @@ std::string read_content(std::istream& in, const std::string& name, const std::s
   if (has_ending(format, gzip_ending)) {
     return Inflating_stream(in, name).read_all();
   }
-  constexpr std::size_t block_size = std::size_t(1) << 16U; // bytes; the calls do not count, and small files are fast
   std::string content;
-  content.reserve(remaining_size(in) + block_size); // growing, it would be in memory twice
+  content.reserve(remaining_size(in) + read_block_size); // growing, it would be in memory twice
   while (in) {
     const std::size_t size = content.size();
-    content.resize(size + block_size);
-    in.read(content.data() + size, static_cast<std::streamsize>(block_size));
+    content.resize(size + read_block_size);
+    in.read(content.data() + size, static_cast<std::streamsize>(read_block_size));
     content.resize(size + static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) {
