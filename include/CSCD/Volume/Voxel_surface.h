@@ -223,7 +223,7 @@ inline void coarsen_voxel_surface(Indexed_triangles& triangles, std::size_t numb
   constexpr std::size_t fine_size = 3000;
   // Voxels for each vertex: a tube has about 0.4 for each voxel of its radius. Radii of thinner vessels would lose in
   // precision, and cycles of pipes with thinner walls get lost in these.
-  constexpr double min_thickness = 2;
+  constexpr double min_thickness = 1.4;
   // Of the turn of a normal, 30 degrees: with more, ends are lost.
   constexpr double min_squared_cosine = 0.75;
   if (triangles.points.size() > fine_size &&
