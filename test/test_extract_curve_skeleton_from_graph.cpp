@@ -28,6 +28,7 @@
 
 namespace {
 
+using CSCD::test::edges_of;
 using CSCD::test::Shape;
 using CSCD::test::to_graph;
 using CSCD::test::Triple;
@@ -41,17 +42,6 @@ struct Place
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Place>;
 using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
 using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
-
-Edges sides(const Shape& shape)
-{
-  std::set<std::pair<std::size_t, std::size_t>> edges;
-  for (const auto& triangle : shape.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges.insert(std::minmax(triangle[k], triangle[(k + 1) % 3]));
-    }
-  }
-  return {edges.begin(), edges.end()};
-}
 
 /// Points on a line, and the edges between consecutive ones.
 Graph path_graph(std::size_t size)
@@ -231,7 +221,7 @@ TEST(Graph_skeleton, a_cone_is_followed_to_its_tip)
   // The two sides of a front differ by its cross-sections.
   const Shape cone = CSCD::test::limb_shape("cone", {{{0, 0, 0}, {10, 0, 0}, 2, 0.2}}, 0.3);
   Skeleton skeleton;
-  const Counts counts = skeletonize_graph(to_graph<Graph>(cone.points, sides(cone)), skeleton);
+  const Counts counts = skeletonize_graph(to_graph<Graph>(cone.points, edges_of(cone)), skeleton);
   EXPECT_GE(counts.nodes, 24U);
   EXPECT_EQ(counts.tips, 2U);
 }
@@ -240,7 +230,7 @@ TEST(Graph_skeleton, the_edges_of_a_torus_and_a_knot_give_one_cycle)
 {
   for (const Shape& shape : {CSCD::test::torus(3, 1, 20), CSCD::test::trefoil_knot(0.4, 16)}) {
     Skeleton skeleton;
-    const Counts counts = skeletonize_graph(to_graph<Graph>(shape.points, sides(shape)), skeleton);
+    const Counts counts = skeletonize_graph(to_graph<Graph>(shape.points, edges_of(shape)), skeleton);
     EXPECT_EQ(counts.betti, 1U) << shape.name;
     EXPECT_EQ(counts.tips, 0U) << shape.name;
     EXPECT_GE(counts.nodes, 10U) << shape.name;
@@ -251,7 +241,7 @@ TEST(Graph_skeleton, nodes_of_a_torus_are_in_its_middle_with_its_radius)
 {
   const Shape shape = CSCD::test::torus(3, 1, 24);
   Skeleton skeleton;
-  skeletonize_graph(to_graph<Graph>(shape.points, sides(shape)), skeleton);
+  skeletonize_graph(to_graph<Graph>(shape.points, edges_of(shape)), skeleton);
   for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
     const Point& p = skeleton[node].point;
     EXPECT_LT(std::hypot(std::hypot(p.x(), p.y()) - 3, p.z()), 0.25);
@@ -271,7 +261,7 @@ TEST(Graph_skeleton, a_soup_that_is_no_surface_is_accepted)
   shape.points.push_back(shape.points[size / 2] + Triple{0.1, 0, 0});
   shape.points.push_back(shape.points[size / 2] + Triple{0, 0.1, 0});
   shape.triangles.push_back({size / 2, shape.points.size() - 1, shape.points.size() - 2});
-  const Counts counts = counts_of(to_graph<Graph>(shape.points, sides(shape)));
+  const Counts counts = counts_of(to_graph<Graph>(shape.points, edges_of(shape)));
   EXPECT_EQ(counts.betti, 0U);
   EXPECT_GE(counts.nodes, 5U);
 }
@@ -317,13 +307,13 @@ TEST(Graph_skeleton, numbers_of_vertices_do_not_matter)
   for (std::size_t i = 0; i < size; ++i) {
     points[renumbered(i)] = shape.points[i];
   }
-  for (const auto& [a, b] : sides(shape)) {
+  for (const auto& [a, b] : edges_of(shape)) {
     edges.emplace_back(renumbered(b), renumbered(a));
   }
   std::reverse(edges.begin(), edges.end());
   Skeleton first;
   Skeleton second;
-  skeletonize_graph(to_graph<Graph>(shape.points, sides(shape)), first);
+  skeletonize_graph(to_graph<Graph>(shape.points, edges_of(shape)), first);
   skeletonize_graph(to_graph<Graph>(points, edges), second);
   EXPECT_EQ(node_points(first), node_points(second));
 }

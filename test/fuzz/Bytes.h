@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The input of a fuzz target, read byte by byte.
+// The input of a fuzz target, read byte by byte, and its end by a fault.
 
 #ifndef CSCD_TEST_FUZZ_BYTES_H
 #define CSCD_TEST_FUZZ_BYTES_H
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <iostream>
 #include <string>
 
 namespace CSCD::test {
@@ -27,6 +29,13 @@ private:
   const std::uint8_t* m_next;
   const std::uint8_t* m_end;
 };
+
+/// Prints a fault of the library and aborts, which is what fuzzers look for.
+[[noreturn]] inline void fail(const std::string& fault)
+{
+  std::cerr << fault << '\n';
+  std::abort();
+}
 
 } // namespace CSCD::test
 

@@ -7,7 +7,7 @@
 //
 // The bytes: the format, then the content of the file.
 
-#include "Bytes.h"
+#include "Coded_file.h"
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -15,12 +15,9 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <iostream>
 #include <set>
 #include <sstream>
 #include <string>
@@ -30,15 +27,6 @@ namespace {
 
 using Skeleton = CSCD::Skeleton_graph<CGAL::Simple_cartesian<double>::Point_3, std::size_t>;
 
-const std::array<std::string, 7> endings{".graph", ".json", ".obj", ".ply", ".polylines.txt", ".swc", ".vtp"};
-const std::string name_of_file = "fuzz";
-
-[[noreturn]] void complain(const std::string& what)
-{
-  std::cerr << what << '\n';
-  std::abort();
-}
-
 void check_graph(const Skeleton& skeleton)
 {
   for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
@@ -46,7 +34,7 @@ void check_graph(const Skeleton& skeleton)
     const double radius = skeleton[v].radius;
     if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z()) || !(radius >= 0) ||
         !std::isfinite(radius)) {
-      complain("a node is not finite");
+      CSCD::test::fail("a node is not finite");
     }
   }
   std::set<std::pair<std::size_t, std::size_t>> seen;
@@ -54,7 +42,7 @@ void check_graph(const Skeleton& skeleton)
   for (auto e = range.first; e != range.second; ++e) {
     const std::pair<std::size_t, std::size_t> ends = std::minmax(source(*e, skeleton), target(*e, skeleton));
     if (ends.first == ends.second || !seen.insert(ends).second) {
-      complain("the graph is not simple");
+      CSCD::test::fail("the graph is not simple");
     }
   }
 }
@@ -70,25 +58,23 @@ std::string written(const Skeleton& skeleton)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  CSCD::test::Bytes bytes(data, size);
-  const std::string& ending = endings[bytes.take() % endings.size()];
-  std::istringstream in(bytes.rest());
+  CSCD::test::Coded_file file({data, size}, CSCD::test::endings_of_skeletons);
   Skeleton skeleton;
   try {
-    CSCD::read_skeleton(in, ending, name_of_file, skeleton);
+    CSCD::read_skeleton(file.content, file.ending, "fuzz", skeleton);
   } catch (const CSCD::File_error& error) {
-    const std::string message = error.what();
-    if (message.find('\n') != std::string::npos || message.rfind(name_of_file, 0) != 0 || num_vertices(skeleton) != 0) {
-      complain("refused badly: " + message);
+    CSCD::test::check_refusal(error, "fuzz");
+    if (num_vertices(skeleton) != 0) {
+      CSCD::test::fail("refused with an output");
     }
     return 0;
   }
   check_graph(skeleton);
   const std::string text = written(skeleton);
   std::istringstream again(text);
-  CSCD::read_skeleton(again, ".json", name_of_file, skeleton);
+  CSCD::read_skeleton(again, ".json", "fuzz", skeleton);
   if (written(skeleton) != text) {
-    complain("changed by writing and reading");
+    CSCD::test::fail("changed by writing and reading");
   }
   return 0;
 }

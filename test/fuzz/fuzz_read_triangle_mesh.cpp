@@ -6,7 +6,7 @@
 //
 // The bytes: the format, then the content of the file.
 
-#include "Bytes.h"
+#include "Coded_file.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/exceptions.h>
 
@@ -15,54 +15,39 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
-#include <iostream>
-#include <sstream>
-#include <string>
 
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-constexpr std::array<const char*, 7> endings_of_meshes{".off", ".obj", ".ply", ".stl", ".vtk", ".glb", ".vtp"};
-const std::string name_of_file = "fuzz";
-
-void check_message(const std::exception& error, const Mesh& mesh)
+int check_refused(const std::exception& error, const Mesh& mesh)
 {
-  const std::string message = error.what();
-  const bool is_one_line_with_name =
-      message.find('\n') == std::string::npos && message.find(name_of_file) != std::string::npos;
-  if (!is_one_line_with_name || !mesh.is_empty()) {
-    std::cerr << "refused badly: " << message << '\n';
-    std::abort();
+  CSCD::test::check_refusal(error, "fuzz");
+  if (!mesh.is_empty()) {
+    CSCD::test::fail("refused with an output");
   }
+  return 0;
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  CSCD::test::Bytes bytes(data, size);
-  const char* const format = endings_of_meshes[bytes.take() % endings_of_meshes.size()];
-  std::istringstream in(bytes.rest());
+  CSCD::test::Coded_file file({data, size}, CSCD::test::endings_of_meshes);
   Mesh mesh;
   try {
-    CSCD::read_triangle_mesh(in, format, name_of_file, mesh);
+    CSCD::read_triangle_mesh(file.content, file.ending, "fuzz", mesh);
   } catch (const CSCD::File_error& error) {
-    check_message(error, mesh);
-    return 0;
+    return check_refused(error, mesh);
   } catch (const CSCD::Input_error& error) {
-    check_message(error, mesh);
-    return 0;
+    return check_refused(error, mesh);
   }
   CGAL::Polygon_mesh_processing::remove_isolated_vertices(mesh);
   if (!CGAL::is_valid_polygon_mesh(mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "not a triangle mesh\n";
-    std::abort();
+    CSCD::test::fail("not a triangle mesh");
   }
   return 0;
 }

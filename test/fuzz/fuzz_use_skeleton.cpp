@@ -19,8 +19,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +27,7 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
 using CSCD::test::Bytes;
+using CSCD::test::fail;
 
 /// Bits of the first byte.
 enum Use : unsigned
@@ -41,12 +40,6 @@ enum Use : unsigned
 
 constexpr unsigned max_number_of_nodes = 64;  // for many executions a second
 constexpr std::size_t coarse_resolution = 12; // likewise
-
-[[noreturn]] void fail(const std::string& what)
-{
-  std::cerr << what << '\n';
-  std::abort();
-}
 
 Skeleton take_skeleton(Bytes& bytes, double scale)
 {

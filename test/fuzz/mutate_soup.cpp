@@ -121,7 +121,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (seed % share_of_bytes == 0) {
     return LLVMFuzzerMutate(data, size, max_size);
   }
-  Coded_soup soup(data, size);
+  Coded_soup soup({data, size});
   Soup_mutation(soup, seed)();
   const std::vector<std::uint8_t> bytes = soup.bytes();
   const std::size_t result = std::min(bytes.size(), max_size);

@@ -16,7 +16,9 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,16 @@ Shape to_shape(const Mesh& mesh)
     shape.triangles.push_back(triangle);
   }
   return shape;
+}
+
+/// The edges of the triangles of `shape`.
+inline std::vector<std::pair<std::size_t, std::size_t>> edges_of(const Shape& shape)
+{
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const auto& [a, b, c] : shape.triangles) {
+    edges.insert({std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
+  }
+  return {edges.begin(), edges.end()};
 }
 
 /// The graph with nodes at `points` and with `edges` between them.
