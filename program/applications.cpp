@@ -139,9 +139,7 @@ void write_loops_as_json(std::ostream& out, const Loops& loops)
     if (loop.kind == CSCD::Loop_kind::constriction) {
       object["depth"] = loop.depth;
     }
-    for (const Vector3& point : loop.points) {
-      object["points"].push_back({point.x(), point.y(), point.z()});
-    }
+    object["points"] = loop.points;
     list.push_back(std::move(object));
   }
   out << list.dump() << '\n';

@@ -27,54 +27,60 @@
 #include <utility>
 #include <vector>
 
-namespace cscd {
-
-namespace {
-
 using Json = nlohmann::ordered_json;
-using CSCD::internal::counted;
 
-Json to_json(const CSCD::Skeleton_counts& c)
+// The parts of the documents, in the namespace where the library of JSON looks for them.
+namespace CSCD {
+
+static void to_json(Json& json, const Skeleton_counts& c)
 {
-  return {CSCD_JSON_PAIRS(c, number_of_nodes, number_of_edges, number_of_components, betti_number, number_of_tips,
+  json = {CSCD_JSON_PAIRS(c, number_of_nodes, number_of_edges, number_of_components, betti_number, number_of_tips,
                           number_of_junctions, number_of_isolated_nodes, length, mean_turning),
           {"largest_turning", c.max_turning}};
 }
 
-Json to_json(const CSCD::Position_measures& p)
+static void to_json(Json& json, const Position_measures& p)
 {
-  return {CSCD_JSON_PAIRS(p, number_of_surface_components, genus, number_of_borders, fraction_of_nodes_inside,
+  json = {CSCD_JSON_PAIRS(p, number_of_surface_components, genus, number_of_borders, fraction_of_nodes_inside,
                           fraction_of_length_inside),
           {"largest_distance_outside", p.max_distance_outside},
           CSCD_JSON_PAIRS(p, deviation_by_length, offset_by_length)};
 }
 
-Json to_json(const CSCD::Limb_measures& l)
+static void to_json(Json& json, const Surface_limb& limb)
 {
-  Json limbs = Json::array();
-  for (const CSCD::Surface_limb& limb : l.limbs) {
-    limbs.push_back({{"tip", {limb.tip.x(), limb.tip.y(), limb.tip.z()}}, CSCD_JSON_PAIRS(limb, height, has_tip)});
-  }
-  return {{"number_of_limbs", l.limbs.size()},
-          CSCD_JSON_PAIRS(l, number_of_limbs_without_tip, number_of_tips_without_limb),
-          {"limbs", limbs}};
+  json = {CSCD_JSON_PAIRS(limb, tip, height, has_tip)};
 }
 
-Json to_json(const CSCD::Reconstruction_error& e)
+static void to_json(Json& json, const Limb_measures& l)
 {
-  return {CSCD_JSON_PAIRS(e, mean, mean_square, maximum, reverse_mean, reverse_maximum, unresolved_fraction, cell_size,
+  json = {{"number_of_limbs", l.limbs.size()},
+          CSCD_JSON_PAIRS(l, number_of_limbs_without_tip, number_of_tips_without_limb, limbs)};
+}
+
+static void to_json(Json& json, const Reconstruction_error& e)
+{
+  json = {CSCD_JSON_PAIRS(e, mean, mean_square, maximum, reverse_mean, reverse_maximum, unresolved_fraction, cell_size,
                           number_of_faces)};
 }
 
-Json to_json(const CSCD::Skeleton_distance& d)
+static void to_json(Json& json, const Skeleton_distance& d)
 {
-  return {CSCD_JSON_PAIRS(d, mean, maximum, fraction_matched)};
+  json = {CSCD_JSON_PAIRS(d, mean, maximum, fraction_matched)};
 }
 
-Json to_json(const CSCD::Match_count& m)
+static void to_json(Json& json, const Match_count& m)
 {
-  return {CSCD_JSON_PAIRS(m, number_in_first, number_in_second, number_matched), {"fraction", m.fraction()}};
+  json = {CSCD_JSON_PAIRS(m, number_in_first, number_in_second, number_matched), {"fraction", m.fraction()}};
 }
+
+} // namespace CSCD
+
+namespace cscd {
+
+namespace {
+
+using CSCD::internal::counted;
 
 /// `value` with a fixed number of digits; a dash if it is not defined.
 std::string fixed(double value, int digits = 2)
@@ -148,13 +154,10 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
                       CSCD_JSON_PAIRS(options, input, skeleton, radii),
                       CSCD_JSON_PAIRS(measures, number_of_points, diagonal),
                       {"has_topology_of_surface", measures.has_topology_of_surface()},
-                      {"counts", to_json(measures.counts)},
-                      {"position", to_json(measures.position)},
+                      CSCD_JSON_PAIRS(measures, counts, position),
                       CSCD_JSON_PAIRS(measures.limbs, tip_recall, tip_precision),
-                      {"limbs", is_point_set ? Json() : to_json(measures.limbs)},
-                      {"convolution", to_json(measures.convolution)},
-                      {"round_cones", to_json(measures.round_cones)},
-                      {"mean_distance_from_round_cones", measures.mean_distance_from_round_cones}};
+                      {"limbs", is_point_set ? Json() : Json(measures.limbs)},
+                      CSCD_JSON_PAIRS(measures, convolution, round_cones, mean_distance_from_round_cones)};
   out << dump_json(document) << '\n';
 }
 
@@ -192,10 +195,7 @@ void write_comparison_as_json(std::ostream& out, const Compare_options& options,
                       CSCD_JSON_PAIRS(comparison, diagonal, match_distance),
                       {"mean_distance", comparison.mean_distance()},
                       {"hausdorff_distance", comparison.hausdorff_distance()},
-                      {"from_first_to_second", to_json(comparison.from_first_to_second)},
-                      {"from_second_to_first", to_json(comparison.from_second_to_first)},
-                      {"tips", to_json(comparison.tips)},
-                      {"junctions", to_json(comparison.junctions)}};
+                      CSCD_JSON_PAIRS(comparison, from_first_to_second, from_second_to_first, tips, junctions)};
   out << dump_json(document) << '\n';
 }
 

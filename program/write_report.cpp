@@ -24,11 +24,39 @@
 #include <string>
 #include <vector>
 
+using Json = nlohmann::ordered_json;
+
+// The rows of arrays, in the namespace where the library of JSON looks for them.
+namespace CSCD {
+
+static void to_json(Json& json, const Reconstruction_repair& repair)
+{
+  json = {CSCD_JSON_PAIRS(repair, center, length)};
+}
+
+static void to_json(Json& json, const Tree_gap& gap)
+{
+  json = {CSCD_JSON_PAIRS(gap, from, to, length)};
+}
+
+static void to_json(Json& json, const Tree_measures& tree)
+{
+  json = {CSCD_JSON_PAIRS(tree, height, length, volume, trunk_volume, diameter_at_breast_height)};
+}
+
+static void to_json(Json& json, const Tree_branch& branch)
+{
+  json = {{"parent", branch.parent == no_branch ? Json() : Json(branch.parent)},
+          CSCD_JSON_PAIRS(branch, object, order, strahler_order, length, radius_at_base, radius_at_tip,
+                          number_of_sections, number_of_circles, nodes)};
+}
+
+} // namespace CSCD
+
 namespace cscd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using CSCD::internal::counted;
 
 Json input_part(const CSCD::Skeletonization_report& r)
@@ -78,15 +106,6 @@ Json skeleton_part(const CSCD::Skeletonization_report& r)
                           number_of_edges_outside)};
 }
 
-Json repairs_part(const std::vector<CSCD::Reconstruction_repair>& repairs)
-{
-  Json result = Json::array();
-  for (const CSCD::Reconstruction_repair& repair : repairs) {
-    result.push_back({CSCD_JSON_PAIRS(repair, center, length)});
-  }
-  return result;
-}
-
 Json reconstruction_part(const CSCD::Reconstruction_report& r)
 {
   return {CSCD_JSON_PAIRS(r, number_of_points, number_of_duplicates, number_of_thinned_points, is_averaged,
@@ -94,8 +113,7 @@ Json reconstruction_part(const CSCD::Reconstruction_report& r)
                           number_of_border_edges, number_of_holes),
           {"number_of_joined_gaps", r.joined_gaps.size()},
           {"number_of_cut_handles", r.cut_handles.size()},
-          {"joined_gaps", repairs_part(r.joined_gaps)},
-          {"cut_handles", repairs_part(r.cut_handles)}};
+          CSCD_JSON_PAIRS(r, joined_gaps, cut_handles)};
 }
 
 using Stage_seconds = std::array<double, CSCD::number_of_skeletonization_stages>;
@@ -110,44 +128,6 @@ Json by_stage(const Stage_seconds& seconds)
   Json result;
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     result[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = seconds[i];
-  }
-  return result;
-}
-
-/// The numbers of sections by the outcome of fitting a circle.
-Json sections(const CSCD::Tree_report& r)
-{
-  constexpr std::array<const char*, CSCD::number_of_circle_outcomes> names{"fitted", "few_points", "short_arc",
-                                                                           "scattered", "too_wide"};
-  return by_outcome(names, r.number_of_sections);
-}
-
-Json trees(const std::vector<CSCD::Tree_measures>& trees)
-{
-  Json result = Json::array();
-  for (const CSCD::Tree_measures& tree : trees) {
-    result.push_back({CSCD_JSON_PAIRS(tree, height, length, volume, trunk_volume),
-                      {"diameter_at_breast_height", CSCD::internal::json_number(tree.diameter_at_breast_height)}});
-  }
-  return result;
-}
-
-Json limbs(const CSCD::Tree_report& r)
-{
-  Json result = Json::array();
-  for (const CSCD::Tree_branch& branch : r.branches) {
-    result.push_back({{"parent", branch.parent == CSCD::no_branch ? Json() : Json(branch.parent)},
-                      CSCD_JSON_PAIRS(branch, object, order, strahler_order, length, radius_at_base, radius_at_tip,
-                                      number_of_sections, number_of_circles, nodes)});
-  }
-  return result;
-}
-
-Json gaps(const CSCD::Tree_report& r)
-{
-  Json result = Json::array();
-  for (const CSCD::Tree_gap& gap : r.gaps) {
-    result.push_back({CSCD_JSON_PAIRS(gap, from, to, length)});
   }
   return result;
 }
@@ -168,6 +148,8 @@ Json options_part(Skeletonize_options options)
 Json tree_document(const Skeletonize_options& options, const Skeletonization_result& result)
 {
   const CSCD::Tree_report& r = *result.tree;
+  constexpr std::array<const char*, CSCD::number_of_circle_outcomes> names_of_sections{
+      "fitted", "few_points", "short_arc", "scattered", "too_wide"};
   return {{"version", CSCD_VERSION},
           {"input", options.input},
           {"method", tree_shape},
@@ -176,13 +158,12 @@ Json tree_document(const Skeletonize_options& options, const Skeletonization_res
                           number_of_objects, spacing, number_of_nodes, number_of_edges),
           {"number_of_branches", result.branches.branches.size()},
           {"number_of_limbs", r.branches.size()},
-          {"number_of_sections", sections(r)},
+          {"number_of_sections", by_outcome(names_of_sections, r.number_of_sections)},
           {"breast_height", options.breast_height},
-          {"trees", trees(result.trees)},
-          {"limbs", limbs(r)},
+          {"trees", result.trees},
+          {"limbs", r.branches},
           {"branches", CSCD::internal::json_branches(result.branches.branches)},
-          {"gaps", gaps(r)},
-          CSCD_JSON_PAIRS(r, seconds, warnings)};
+          CSCD_JSON_PAIRS(r, gaps, seconds, warnings)};
 }
 
 void write_tree_summary(std::ostream& out, const Skeletonize_options& options, const Skeletonization_result& result)
@@ -258,9 +239,8 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   document["openings"] = Json::array();
   for (std::size_t node = 0; node < result.skeleton.is_opening.size(); ++node) {
     if (result.skeleton.is_opening[node] != 0) {
-      const CSCD::Vector3& point = result.skeleton.points[node];
       document["openings"].push_back(
-          {{"node", node}, {"center", {point.x(), point.y(), point.z()}}, {"radius", result.skeleton.radii[node]}});
+          {{"node", node}, {"center", result.skeleton.points[node]}, {"radius", result.skeleton.radii[node]}});
     }
   }
   document["seconds"] = by_stage(report.seconds);
