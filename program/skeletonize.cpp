@@ -53,15 +53,12 @@ bool is_rig(const std::string& output)
 
 void check_outputs(const Skeletonize_options& options)
 {
-  std::vector<std::string> skeletons;
   for (const std::string& output : options.outputs) {
-    if (is_rig(output) || is_node_volume(output) || is_page(output)) {
-      check_is_not_input(output, options.input, "--output");
-    } else {
-      skeletons.push_back(output);
+    if (!is_rig(output) && !is_node_volume(output) && !is_page(output)) {
+      check_skeleton_argument(output, " .glb .html");
     }
+    check_is_not_input(output, options.input, "--output");
   }
-  check_skeleton_outputs(skeletons, options.input, " .glb .html");
   for (const auto& [option, file] : given_files(options)) {
     check_is_not_input(file, options.input, option);
   }
@@ -237,27 +234,20 @@ void write_results(CSCD::File_group& files, const Input& input, const Skeletoniz
       write_skeleton_output(files, output, result.skeleton, result.roots, options.swc);
     }
   }
-  if (!options.branches.empty()) {
-    write_to(files, options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });
-  }
-  if (!options.nodes.empty()) {
+  write_to(files, options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });
+  write_to(files, options.nodes, [&](std::ostream& out) {
     const std::vector<CSCD::Node_measures> measures =
         bounds_body(result, options)
             ? CSCD::internal::measure_nodes(result.skeleton, assigned_surface(input, result.skeleton))
             : std::vector<CSCD::Node_measures>();
-    write_to(files, options.nodes,
-             [&](std::ostream& out) { CSCD::write_node_table(out, result.skeleton, result.branches, measures); });
-  }
-  if (!options.cylinders.empty()) {
-    write_to(files, options.cylinders, [&](std::ostream& out) {
-      CSCD::write_cylinders(out, CSCD::internal::make_tree_cylinders(result.skeleton, *result.tree), *result.tree);
-    });
-  }
+    CSCD::write_node_table(out, result.skeleton, result.branches, measures);
+  });
+  write_to(files, options.cylinders, [&](std::ostream& out) {
+    CSCD::write_cylinders(out, CSCD::internal::make_tree_cylinders(result.skeleton, *result.tree), *result.tree);
+  });
   write_labels(files, input, result, options);
-  if (!options.report.empty()) {
-    write_to(files, options.report,
-             [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
-  }
+  write_to(files, options.report,
+           [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
 }
 
 namespace {
@@ -373,6 +363,7 @@ bool is_page(const std::string& output)
 
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)
 {
+  check_viewer_source();
   CSCD::internal::write_html_page(
       out, {assigned_surface(input, result.skeleton), result.skeleton, make_cloud(input, result)},
       result.tree ? name + ", treated as a scan of trees" : name);
@@ -389,9 +380,10 @@ bool needs_mesh(const Skeletonize_options& options)
 }
 
 /// As `read_input()`; if a mesh cannot be repaired, the message names the remaining options.
-Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
+Input read_for_surface(const Skeletonize_options& options)
 {
   try {
+    const bool keeps_file = !options.correspondence.empty();
     Input input = read_input(options.input, options.format, options.is_quiet, keeps_file, options.number_of_threads);
     input.is_kept = needs_mesh(options);
     return input;
@@ -434,12 +426,10 @@ void skeletonize(const Skeletonize_options& options)
   CSCD::File_group files;
   if (is_volume(options)) {
     skeletonize_volume(files, options);
-    files.publish();
-    return;
+  } else {
+    Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options);
+    tell_and_write(files, input, skeletonize_with_progress(input, options), options);
   }
-  const bool keeps_file = !options.correspondence.empty();
-  Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
-  tell_and_write(files, input, skeletonize_with_progress(input, options), options);
   files.publish();
 }
 

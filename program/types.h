@@ -154,13 +154,13 @@ void measure_branches(const Input& input, const Skeletonize_options& options, Sk
 void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                    const Skeletonize_options& options);
 
-/// Calls `write(out)` with a stream to the file `filename` of `files`, or with standard output.
+/// Calls `write(out)` with a stream to the file `filename` of `files`, or with standard output; not if that is empty.
 template <class Write>
 void write_to(CSCD::File_group& files, const std::string& filename, const Write& write)
 {
   if (filename == standard_stream) {
     write(static_cast<std::ostream&>(std::cout));
-  } else {
+  } else if (!filename.empty()) {
     files.write(filename, write);
   }
 }
@@ -193,6 +193,7 @@ bool is_page(const std::string& output);
 
 /// Writes the viewer page.
 /// \param name of the input, without its folder, which has no meaning for other readers of the page
+/// \throw Usage_error as `check_viewer_source()`
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
 
 /// Checks that pages can be written. \throw Usage_error
