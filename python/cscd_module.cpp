@@ -83,22 +83,21 @@ std::vector<CSCD::Vector3> to_points(const Coordinates& rows, const std::string&
   return result;
 }
 
-/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row. -1 after
-/// the third value of a row does not stand for a vertex.
-template <class AddVertex, class EndRow>
-void for_each_vertex(const Corners& rows, const std::string& name, py::ssize_t number_of_vertices,
-                     const AddVertex& add_vertex, const EndRow& end_row)
+/// Adds the rows of an array, which has this name, as polygons to `soup`. -1 after the third value of a row does not
+/// stand for a vertex.
+void add_polygons(const Corners& rows, const std::string& name, py::ssize_t number_of_vertices, CSCD::Shape_file& soup)
 {
   const auto value = rows.unchecked<2>();
+  soup.corners.reserve(std::size_t(rows.size()));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     for (py::ssize_t j = 0; j < rows.shape(1) && (j < 3 || value(i, j) != -1); ++j) {
       if (value(i, j) < 0 || value(i, j) >= number_of_vertices) {
         throw CSCD::Input_error(name + ": row " + std::to_string(i) + " names vertex " + std::to_string(value(i, j)) +
                                 ", and V has rows 0 to " + std::to_string(number_of_vertices - 1));
       }
-      add_vertex(static_cast<Index>(value(i, j)));
+      soup.corners.push_back(static_cast<Index>(value(i, j)));
     }
-    end_row();
+    soup.end_polygon();
   }
 }
 
@@ -107,10 +106,7 @@ CSCD::Shape_file to_soup(const Coordinates& points, const std::optional<Corners>
   CSCD::Shape_file result;
   result.points = to_points(points, "V");
   if (corners) {
-    result.corners.reserve(std::size_t(corners->size()));
-    for_each_vertex(
-        *corners, "F", points.shape(0), [&result](Index vertex) { result.corners.push_back(vertex); },
-        [&result] { result.end_polygon(); });
+    add_polygons(*corners, "F", points.shape(0), result);
   }
   return result;
 }
@@ -119,15 +115,13 @@ CSCD::Shape_file to_soup(const Coordinates& points, const std::optional<Corners>
 cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& corners,
                        const std::optional<Corners>& edges, unsigned int number_of_neighbors)
 {
-  std::vector<std::array<Index, 2>> ends;
+  CSCD::Shape_file lines;
   if (edges) {
-    std::vector<Index> row;
-    for_each_vertex(
-        *edges, "edges", points.shape(0), [&row](Index vertex) { row.push_back(vertex); },
-        [&] {
-          ends.push_back({row[0], row[1]});
-          row.clear();
-        });
+    add_polygons(*edges, "edges", points.shape(0), lines);
+  }
+  std::vector<std::array<Index, 2>> ends;
+  for (std::size_t i = 0; i < lines.corners.size(); i += 2) {
+    ends.push_back({lines.corners[i], lines.corners[i + 1]});
   }
   return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
@@ -279,7 +273,6 @@ std::string evaluate(const Python_skeleton& skeleton, const py::dict& arguments)
 
 std::string page(const Python_skeleton& skeleton, const std::string& title)
 {
-  cscd::check_viewer_source();
   std::ostringstream out;
   cscd::write_page(out, *skeleton.input, skeleton.result, title);
   return out.str();
@@ -288,9 +281,6 @@ std::string page(const Python_skeleton& skeleton, const std::string& title)
 /// Writes a file as `cscd skeletonize --output` does.
 void save(const Python_skeleton& skeleton, const std::string& filename)
 {
-  if (cscd::is_page(filename)) {
-    cscd::check_viewer_source();
-  }
   cscd::Skeletonize_options options = skeleton.options;
   options.input = std::filesystem::path(filename).stem().string(); // the title of a page, the name of a rig
   options.outputs = {filename};
@@ -366,22 +356,18 @@ py::array view(const py::object& owner, const std::vector<Row>& rows)
 /// The arrays of a skeleton, without a copy: each keeps the skeleton alive.
 void define_arrays(py::class_<Python_skeleton>& type)
 {
-  const auto define = [&type](const char* name, auto value, const auto& rows_of) {
-    type.def_property_readonly(name, [rows_of](const py::object& self) {
-      return view<decltype(value)>(self, rows_of(self.cast<const Python_skeleton&>()));
+  const auto define = [&type](const char* name, auto value, auto member) {
+    type.def_property_readonly(name, [member](const py::object& self) {
+      return view<decltype(value)>(self, self.cast<const Python_skeleton&>().skeleton().*member);
     });
   };
-  using Python = const Python_skeleton&;
-  define(
-      "nodes", 0., [](Python self) -> const auto& { return self.skeleton().points; });
-  define(
-      "radius", 0., [](Python self) -> const auto& { return self.skeleton().radii; });
-  define(
-      "edges", Signed_index(0), [](Python self) -> const auto& { return self.skeleton().edges; });
-  define(
-      "significance", 0., [](Python self) -> const auto& { return self.skeleton().significance; });
-  define(
-      "vertex_to_node", Signed_index(0), [](Python self) -> const auto& { return self.nodes_of_vertices; });
+  define("nodes", 0., &CSCD::Skeleton::points);
+  define("radius", 0., &CSCD::Skeleton::radii);
+  define("edges", Signed_index(0), &CSCD::Skeleton::edges);
+  define("significance", 0., &CSCD::Skeleton::significance);
+  type.def_property_readonly("vertex_to_node", [](const py::object& self) {
+    return view<Signed_index>(self, self.cast<const Python_skeleton&>().nodes_of_vertices);
+  });
 }
 
 /// The corners of the polygons, a row each, padded with -1 to the length of the longest.
