@@ -15,10 +15,8 @@ function guess_up(size) {
 }
 
 function box_of(points) {
-  const box = new THREE.Box3();
-  const p = new THREE.Vector3();
-  for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
-  return box.isEmpty() ? box.expandByPoint(p.set(0, 0, 0)) : box;
+  const box = new THREE.Box3().setFromArray(points);
+  return box.isEmpty() ? box.expandByPoint(new THREE.Vector3()) : box;
 }
 
 // Looks along the narrower of the two level directions, somewhat from the side and from above.
