@@ -109,15 +109,7 @@ EMSCRIPTEN_KEEPALIVE bool cscd_save(const char* option, const char* name)
            cscd::Skeletonize_options options = session()->options;
            options.is_quiet = true;
            options.report.clear();
-           const std::string which = option;
-           if (which == "output") {
-             options.outputs = {name};
-           } else {
-             (which == "branches"         ? options.branches
-              : which == "nodes"          ? options.nodes
-              : which == "correspondence" ? options.correspondence
-                                          : options.report) = name;
-           }
+           set_options(std::string(option) + ' ' + name, options);
            CSCD::File_group files;
            cscd::write_results(files, session()->input, session()->result, options);
            files.publish();
