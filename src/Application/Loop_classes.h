@@ -6,16 +6,13 @@
 #ifndef CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 #define CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 
+#include <CSCD/Packing/Loops_across.h>
 #include <CSCD/Surface/Tree_cotree.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/box_intersection_d.h>
-
 #include <boost/dynamic_bitset.hpp>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -61,7 +58,7 @@ class Loop_classes
 public:
   using Bits = boost::dynamic_bitset<>;
 
-  /// O(n + l log^2 l) for n vertices and l edges of the loops.
+  /// O(n + l^2) for n vertices and l edges of the loops.
   explicit Loop_classes(const Triangulated_surface& surface)
       : m_surface(surface), m_trees(surface), m_dual_loops(surface.number_of_halfedges())
   {
@@ -153,64 +150,20 @@ private:
     return result;
   }
 
-  /// Finds how loops and dual loops are linked: in a projection, how often the one passes above the other.
+  /// Finds how loops and dual loops are linked.
   void find_linking()
   {
     m_linking.assign(size(), Bits(size()));
-    if (size() == 0) {
-      return;
+    std::vector<Polygon> dual_loops;
+    for (const Index edge : m_trees.left_over()) {
+      dual_loops.push_back(dual_loop_points(edge));
     }
-    std::vector<Box> loops;
-    std::vector<Box> dual_loops;
     for (Index i = 0; i < size(); ++i) {
-      add_segments(loop_points(m_trees.left_over()[i]), i, loops);
-      add_segments(dual_loop_points(m_trees.left_over()[i]), i, dual_loops);
+      const Polygon loop = loop_points(m_trees.left_over()[i]);
+      for (Index j = 0; j < size(); ++j) {
+        m_linking[i][j] = m_component[i] == m_component[j] && linking_number(loop, dual_loops[j]) % 2 != 0;
+      }
     }
-    CGAL::box_intersection_d(loops.begin(), loops.end(), dual_loops.begin(), dual_loops.end(),
-                             [&](const Box& a, const Box& b) {
-                               const Index i = a.info().loop;
-                               const Index j = b.info().loop;
-                               if (m_component[i] == m_component[j] && passes_above(a.info(), b.info())) {
-                                 m_linking[i].flip(j);
-                               }
-                             });
-  }
-
-  struct Segment
-  {
-    std::array<Vector3, 2> ends;
-    Index loop;
-  };
-
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Segment>;
-
-  /// Adds the sides of `polygon`, turned to a direction where no two edges of a usual mesh are seen as one.
-  static void add_segments(const Polygon& polygon, Index loop, std::vector<Box>& segments)
-  {
-    const Vector3 x = Vector3(0.81, 0.37, -0.23).normalized();
-    const Vector3 y = x.cross(Vector3(0.39, -0.21, 0.87)).normalized();
-    const Vector3 z = x.cross(y);
-    const auto turned = [&](const Vector3& point) { return Vector3(x.dot(point), y.dot(point), z.dot(point)); };
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Segment segment{{turned(polygon[i]), turned(polygon[i + 1 < polygon.size() ? i + 1 : 0])}, loop};
-      const Vector3 lower = segment.ends[0].cwiseMin(segment.ends[1]);
-      const Vector3 upper = segment.ends[0].cwiseMax(segment.ends[1]);
-      segments.emplace_back(CGAL::Bbox_2(lower.x(), lower.y(), upper.x(), upper.y()), segment);
-    }
-  }
-
-  /// Whether the segments cross seen along z, and `a` is above `b` there.
-  static bool passes_above(const Segment& a, const Segment& b)
-  {
-    const Vector3 u = a.ends[1] - a.ends[0];
-    const Vector3 v = b.ends[1] - b.ends[0];
-    const Vector3 w = b.ends[0] - a.ends[0];
-    const auto cross = [](const Vector3& p, const Vector3& q) { return p.x() * q.y() - p.y() * q.x(); };
-    const double denominator = cross(u, v);
-    const double s = cross(w, v) / denominator;
-    const double t = cross(w, u) / denominator;
-    // Not a number where they are parallel.
-    return s >= 0 && s < 1 && t >= 0 && t < 1 && a.ends[0].z() + s * u.z() > b.ends[0].z() + t * v.z();
   }
 
   const Triangulated_surface& m_surface;
