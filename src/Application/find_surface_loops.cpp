@@ -50,24 +50,13 @@ public:
   {
   }
 
-  /// By how much the curve must get longer if it is to move away to either side, see `Surface_loop::depth`; anything
-  /// less than `min_depth` if it is less. O(k log k) for the k vertices within reach.
-  double depth(const Surface_path& curve, double min_depth)
+  /// By how much the curve must get longer if it is to move away to either side, see `Surface_loop::depth`.
+  /// O(k log k) for the k vertices within reach.
+  double depth(const Surface_path& curve)
   {
     const double step = curve.length / boost::math::double_constants::pi / levels_per_diameter;
-    Climb lower;
-    for (const int levels : reaches) {
-      measure_distances(curve, step * levels);
-      lower = climb(curve.length, step, levels);
-      Climb higher = climb(curve.length, -step, levels);
-      if (higher.length < lower.length) {
-        std::swap(lower, higher);
-      }
-      if (lower.has_ended && (higher.has_ended || lower.length < (1 + min_depth) * curve.length)) {
-        break;
-      }
-    }
-    return std::max(lower.length / curve.length - 1, 0.);
+    measure_distances(curve, number_of_levels * step);
+    return std::max(std::min(climb(curve.length, step), climb(curve.length, -step)) / curve.length - 1, 0.);
   }
 
 private:
@@ -78,29 +67,24 @@ private:
   /// Of these, so many must be one curve, or have a piece as long: half a diameter. Loops that cut off several limbs at
   /// once, such as an arm together with the head, come apart before.
   static constexpr int min_levels = levels_per_diameter / 2;
-  /// So far, in levels, as long as that does not tell the depth: most curves come apart soon.
-  static constexpr std::array<int, 3> reaches{min_levels, levels_per_diameter, number_of_levels};
   /// Relative to the length of the curve: a parallel curve shorter by more is beyond what makes the constriction. Less
   /// comes of measuring distances along triangles.
   static constexpr double tolerance = 0.02;
 
-  /// The parallel curves on one side, before they get shorter than the curve or come apart.
-  struct Climb
-  {
-    double length = 0;      // of the longest
-    bool has_ended = false; // within reach
-  };
-
+  /// The length of the longest parallel curve on one side, before they get shorter than the curve or come apart; 0 if
+  /// they soon do.
   /// \param step from one parallel curve to the next, positive on the left
-  Climb climb(double length, double step, int levels)
+  double climb(double length, double step)
   {
-    Climb result;
-    for (int level = 1; level <= levels && !result.has_ended; ++level) {
+    double longest = 0;
+    for (int level = 1; level <= number_of_levels; ++level) {
       const double piece = longest_piece(level * step);
-      result.has_ended = piece < (1 - tolerance) * length;
-      result.length = !result.has_ended ? std::max(result.length, piece) : level > min_levels ? result.length : 0;
+      if (piece < (1 - tolerance) * length) {
+        return level > min_levels ? longest : 0;
+      }
+      longest = std::max(longest, piece);
     }
-    return result;
+    return longest;
   }
 
   /// Distances from `curve` of all vertices up to `reach`, and of those beyond next to them.
@@ -468,7 +452,7 @@ private:
         continue;
       }
       seen.push_back(&candidate);
-      const double depth = parallel_curves.depth(candidate.path, min_depth);
+      const double depth = parallel_curves.depth(candidate.path);
       if (depth >= min_depth && push_off_vertices(m_surface, candidate.path, crossings) &&
           arrangement.insert(Index(result.size()), crossings)) {
         result.push_back(to_loop(Loop_kind::constriction, candidate, depth));
