@@ -25,8 +25,8 @@ set(cscd_io_sources
     IO/decompress.cpp
     IO/parse_gltf.cpp
     IO/parse_meshes.cpp
-    IO/parse_ply.cpp
     IO/parse_points.cpp
+    IO/parse_records.cpp
     IO/parse_skeletons.cpp
     IO/parse_vtk.cpp
     IO/read_files.cpp

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads points: tables of coordinates separated by blanks, commas or semicolons, with or without names of columns; PCD;
-// and LAS.
+// Reads points: tables of coordinates separated by blanks, commas or semicolons, with or without names of columns; and
+// LAS.
 
 #include "IO/formats.h"
 #include "IO/scanners.h"
@@ -148,78 +148,6 @@ std::optional<double> to_number(std::string_view field)
   return Text_scanner::read_number(field.data(), end, value) == end ? std::optional<double>(value) : std::nullopt;
 }
 
-/// A field of the points of a file.
-struct Pcd_field
-{
-  std::string name;
-  Number_type type{'f', 4};
-  std::size_t count = 1; ///< numbers of the field at each point
-};
-
-struct Pcd_header
-{
-  /// The places of these among the fields; the last three are the number of fields if normals are missing.
-  std::array<std::size_t, 6> places{};
-  std::vector<Pcd_field> fields;
-  std::size_t size_of_point = 0;
-  std::size_t number_of_points = 0;
-  std::string encoding;
-
-  bool has_normals() const { return *std::max_element(places.begin(), places.end()) < fields.size(); }
-};
-
-/// Finds the fields of coordinates and normals, and the size of a point.
-void check_pcd_fields(const Text_scanner& scanner, Pcd_header& header)
-{
-  constexpr const char* remedy = "write the file again";
-  constexpr std::size_t max_count = 1U << 20U; // bounds the size of a point
-  for (const Pcd_field& field : header.fields) {
-    if (!field.type.is_valid() || field.count > max_count) {
-      scanner.fail("a field has an unknown type or size", remedy);
-    }
-    header.size_of_point += field.count * field.type.size;
-  }
-  constexpr std::array<const char*, 6> names{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto place = std::find_if(header.fields.begin(), header.fields.end(),
-                                    [&](const Pcd_field& field) { return field.name == names[k]; });
-    header.places[k] = std::size_t(place - header.fields.begin());
-    if (k < 3 && (place == header.fields.end() || place->count != 1)) {
-      scanner.fail("the field " + std::string(names[k]) + " is missing", remedy);
-    }
-  }
-}
-
-Pcd_header read_pcd_header(Text_scanner& scanner)
-{
-  Pcd_header header;
-  while (header.encoding.empty()) {
-    scanner.expect("the keyword DATA", '#');
-    const std::string keyword(scanner.word());
-    if (keyword == "FIELDS") {
-      while (scanner.skip_blanks_in_line()) {
-        header.fields.push_back({std::string(scanner.word())});
-      }
-    } else if (keyword == "SIZE" || keyword == "COUNT" || keyword == "TYPE") {
-      for (auto field = header.fields.begin(); field != header.fields.end() && scanner.skip_blanks_in_line(); ++field) {
-        if (keyword == "TYPE") {
-          const std::string_view type = scanner.word();
-          field->type.kind = type == "I" ? 'i' : type == "U" ? 'u' : 'f';
-        } else {
-          (keyword == "SIZE" ? field->type.size : field->count) = scanner.count("the size of a field");
-        }
-      }
-    } else if (keyword == "POINTS") {
-      header.number_of_points = scanner.skip_blanks_in_line() ? scanner.count("the number of points") : 0;
-    } else if (keyword == "DATA") {
-      header.encoding = scanner.skip_blanks_in_line() ? std::string(scanner.word()) : "none";
-    }
-    scanner.skip_line();
-  }
-  check_pcd_fields(scanner, header);
-  return header;
-}
-
 } // namespace
 
 /// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
@@ -279,49 +207,6 @@ Shape_file parse_point_table(std::string_view content, const std::string& filena
     shape.normals.clear();
   }
   keep_normals_only(shape);
-  return shape;
-}
-
-/// Reads PCD of the Point Cloud Library, ASCII or binary. Points that are not finite, which stand for missing
-/// measurements, are left out.
-Shape_file parse_pcd(std::string_view content, const std::string& filename, unsigned /* contents */)
-{
-  Text_scanner scanner(content, filename);
-  const Pcd_header header = read_pcd_header(scanner);
-  Shape_file shape;
-  std::vector<double> numbers(header.fields.size());
-  const auto add = [&] {
-    const auto vector = [&](std::size_t k) {
-      return Vector3(numbers[header.places[k]], numbers[header.places[k + 1]], numbers[header.places[k + 2]]);
-    };
-    if (const Vector3 point = vector(0); point.allFinite()) {
-      shape.points.push_back(point);
-      if (header.has_normals()) {
-        const Vector3 normal = vector(3);
-        shape.normals.push_back(normal.allFinite() ? normal : Vector3::Zero());
-      }
-    }
-  };
-  if (header.encoding != "ascii" && header.encoding != "binary") {
-    scanner.fail("DATA is neither ascii nor binary",
-                 "write the file as DATA binary, as by `pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1`");
-  }
-  const bool is_binary = header.encoding == "binary";
-  if (is_binary && header.number_of_points > scanner.remaining() / header.size_of_point) {
-    scanner.fail_at_end("all of its " + std::to_string(header.number_of_points) + " points");
-  }
-  Byte_scanner bytes(scanner.rest(), Byte_order::little, filename);
-  for (std::size_t point = 0; point < header.number_of_points; ++point) {
-    for (std::size_t f = 0; f < numbers.size(); ++f) {
-      for (std::size_t i = 0; i < header.fields[f].count; ++i) {
-        if (!is_binary && !scanner.skip_blanks()) {
-          scanner.fail_at_end("point " + std::to_string(point) + " of " + std::to_string(header.number_of_points));
-        }
-        numbers[f] = is_binary ? bytes.number(header.fields[f].type) : scanner.number();
-      }
-    }
-    add();
-  }
   return shape;
 }
 
