@@ -9,6 +9,7 @@
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector3.h>
 
+#include <Eigen/Geometry>
 #include <boost/unordered_map.hpp>
 #include <nlohmann/json.hpp>
 
@@ -33,26 +34,17 @@ namespace CSCD::internal {
 
 namespace {
 
-/// A linear map and a translation.
-struct Affine_map
-{
-  std::array<Vector3, 3> columns{Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
-  Vector3 offset{};
-
-  Vector3 linear(const Vector3& v) const { return v.x() * columns[0] + v.y() * columns[1] + v.z() * columns[2]; }
-  Vector3 operator()(const Vector3& point) const { return linear(point) + offset; }
-  /// First `other`, then this.
-  Affine_map operator*(const Affine_map& other) const
-  {
-    return {{linear(other.columns[0]), linear(other.columns[1]), linear(other.columns[2])}, (*this)(other.offset)};
-  }
-};
-
 /// The map of a matrix of 4 x 4 numbers, column by column.
-Affine_map map_of_matrix(const std::array<double, 16>& m)
+Eigen::Affine3d map_of_matrix(const std::array<double, 16>& columns)
 {
-  return {{Vector3(m[0], m[1], m[2]), Vector3(m[4], m[5], m[6]), Vector3(m[8], m[9], m[10])},
-          Vector3(m[12], m[13], m[14])};
+  return Eigen::Affine3d(Eigen::Map<const Eigen::Matrix4d>(columns.data()));
+}
+
+/// Where `map` moves a point.
+Vector3 moved(const Eigen::Affine3d& map, const Vector3& point)
+{
+  const Eigen::Vector3d place = map * Eigen::Vector3d(point.x(), point.y(), point.z());
+  return {place.x(), place.y(), place.z()};
 }
 
 /// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins as their joints stand. The data are
@@ -91,7 +83,7 @@ private:
 
   struct Skin
   {
-    std::vector<Affine_map> joints;                                ///< where they move vertices
+    std::vector<Eigen::Affine3d> joints;                           ///< where they move vertices
     boost::unordered_map<std::array<double, 3>, Vector3> places{}; ///< of vertices, by where they are at rest
   };
 
@@ -303,7 +295,7 @@ private:
   {
     using Matrix = std::array<double, 16>;
     for (const Json& skin : list("skins")) {
-      std::vector<Affine_map>& maps = m_skins.emplace_back().joints;
+      std::vector<Eigen::Affine3d>& maps = m_skins.emplace_back().joints;
       const Json& joints = list(skin, "joints");
       const std::size_t i = number(skin, "inverseBindMatrices", none);
       std::vector<Matrix> matrices;
@@ -312,7 +304,7 @@ private:
       }
       for (const Json& joint : joints) {
         const std::size_t node = to_index(joint);
-        Affine_map& map = maps.emplace_back();
+        Eigen::Affine3d& map = maps.emplace_back(Eigen::Affine3d::Identity());
         if (node < m_place.size() && m_place[node]) {
           map = maps.size() <= matrices.size() ? *m_place[node] * map_of_matrix(matrices[maps.size() - 1])
                                                : *m_place[node];
@@ -332,7 +324,7 @@ private:
     if (skin >= m_skins.size() || joints.size() < points.size() || weights.size() < points.size()) {
       fail(fault);
     }
-    const std::vector<Affine_map>& maps = m_skins[skin].joints;
+    const std::vector<Eigen::Affine3d>& maps = m_skins[skin].joints;
     for (std::size_t v = 0; v < points.size(); ++v) {
       Vector3& point = points[v];
       const auto [place, is_new] = m_skins[skin].places.try_emplace({point.x(), point.y(), point.z()}, point);
@@ -340,7 +332,7 @@ private:
       double sum = 0;
       for (std::size_t k = 0; k < 4 && is_new; ++k) {
         if (joints[v][k] < double(maps.size())) {
-          moment += weights[v][k] * maps[std::size_t(joints[v][k])](point);
+          moment += weights[v][k] * moved(maps[std::size_t(joints[v][k])], point);
           sum += weights[v][k];
         }
       }
@@ -350,7 +342,7 @@ private:
   }
 
   /// \param skin of the node, or none
-  void add_primitive(const Json& primitive, const Affine_map& map, std::size_t skin)
+  void add_primitive(const Json& primitive, const Eigen::Affine3d& map, std::size_t skin)
   {
     constexpr std::size_t triangle_list = 4;
     constexpr std::size_t triangle_strip = 5;
@@ -377,9 +369,10 @@ private:
       pose(*attributes, skin, its_points);
     }
     const Index first = Index(m_shape.points.size());
-    std::transform(its_points.begin(), its_points.end(), std::back_inserter(m_shape.points), map);
+    std::transform(its_points.begin(), its_points.end(), std::back_inserter(m_shape.points),
+                   [&map](const Vector3& point) { return moved(map, point); });
     // Where the mesh would be mirrored, its triangles are turned, and of a strip every other one.
-    const bool is_mirrored = map.columns[0].cross(map.columns[1]).dot(map.columns[2]) < 0;
+    const bool is_mirrored = map.linear().determinant() < 0;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
       const std::size_t turn = (mode == triangle_strip && i % 2 == 1) != is_mirrored ? 1 : 0;
       for (const std::size_t corner : {mode == triangle_fan ? 0 : i, i + 1 + turn, i + 2 - turn}) {
@@ -403,7 +396,7 @@ private:
     return values.size() == size;
   }
 
-  Affine_map map_of(const Json& node) const
+  Eigen::Affine3d map_of(const Json& node) const
   {
     std::array<double, 16> m{};
     if (numbers(node, "matrix", m)) {
@@ -415,25 +408,17 @@ private:
     numbers(node, "translation", t);
     numbers(node, "rotation", q);
     numbers(node, "scale", s);
-    const Vector3 axis(q[0], q[1], q[2]);
-    Affine_map result{{}, {t[0], t[1], t[2]}};
-    std::size_t i = 0;
-    for (const Vector3& unit : {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()}) {
-      // The rotation by the unit quaternion (axis, w): v + 2 w (axis x v) + 2 axis x (axis x v).
-      const Vector3 moment = 2 * axis.cross(unit);
-      result.columns[i] = s[i] * (unit + q[3] * moment + axis.cross(moment));
-      ++i;
-    }
-    return result;
+    return Eigen::Translation3d(t[0], t[1], t[2]) * Eigen::Quaterniond(q[3], q[0], q[1], q[2]) *
+           Eigen::Scaling(s[0], s[1], s[2]);
   }
 
   /// Places all nodes of the scene, then their meshes; a hierarchy of nodes is a forest, so that each comes once.
   void add_scene()
   {
-    std::vector<std::pair<std::size_t, Affine_map>> open;
+    std::vector<std::pair<std::size_t, Eigen::Affine3d>> open;
     const std::size_t scene = number(m_json, "scene", 0);
     for (const Json& node : scene < list("scenes").size() ? list(list("scenes")[scene], "nodes") : Json::array()) {
-      open.emplace_back(to_index(node), Affine_map());
+      open.emplace_back(to_index(node), Eigen::Affine3d::Identity());
     }
     m_place.resize(list("nodes").size());
     std::vector<std::size_t> nodes;
@@ -457,7 +442,7 @@ private:
       if (mesh != none) {
         for (const Json& primitive : list(element("meshes", mesh), "primitives")) {
           // A skin moves its vertices by its joints alone.
-          add_primitive(primitive, skin != none ? Affine_map() : *m_place[i], skin);
+          add_primitive(primitive, skin != none ? Eigen::Affine3d::Identity() : *m_place[i], skin);
         }
       }
     }
@@ -477,7 +462,7 @@ private:
   std::string_view m_binary_chunk;
   std::map<std::string_view, std::string> m_content_of_uri; ///< by the URIs in `m_json`
   std::vector<std::string_view> m_buffers;                  ///< in the binary chunk or in `m_content_of_uri`
-  std::vector<std::optional<Affine_map>> m_place;           ///< of the nodes of the scene
+  std::vector<std::optional<Eigen::Affine3d>> m_place;      ///< of the nodes of the scene
   std::vector<Skin> m_skins;
   Shape_file m_shape;
 };
