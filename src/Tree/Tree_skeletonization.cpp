@@ -37,18 +37,15 @@ namespace CSCD::internal {
 
 namespace {
 
-/// The foot of a trunk: the points of an object that are lowest and connected with the lowest, and others as low next
-/// to them, where the foot was not seen whole. If that is too wide for a foot, the outermost of them, an end of an
-/// object that lies. \param is_taken is set for the points that were looked at
+/// The foot of a trunk: the points of an object that are lowest and connected with the lowest. If that is too wide for
+/// a foot, the outermost of them, an end of an object that lies. \param is_taken is set for the points that were looked
+/// at
 std::vector<Index> find_foot(const std::vector<Vector3>& points, const Neighbor_graph& graph,
                              const std::vector<Index>& members, std::vector<char>& is_taken)
 {
   constexpr double foot_height = 3; // above the lowest point, relative to the spacing there
   // From the lowest point, relative to the extent of the object: a wider part is not a foot.
   constexpr double foot_width = 0.15;
-  // How far from the lowest point other parts of a foot are, relative to how far the part with that point reaches: an
-  // arc of a third of a circle may have its other parts on the opposite side.
-  constexpr double widest_foot = 1.5;
   Index lowest = members.front();
   Vector3 centroid = Vector3::Zero();
   for (const Index point : members) {
@@ -73,15 +70,6 @@ std::vector<Index> find_foot(const std::vector<Vector3>& points, const Neighbor_
     const Index point = foot[i]; // the vector grows
     for (const Index neighbor : graph.neighbors(point)) {
       take(neighbor);
-    }
-  }
-  double width = 0;
-  for (const Index point : foot) {
-    width = std::max(width, distance(point));
-  }
-  for (const Index point : members) {
-    if (distance(point) <= widest_foot * width) {
-      take(point);
     }
   }
   std::sort(foot.begin(), foot.end());
