@@ -233,8 +233,8 @@ private:
   static constexpr int rounds = 2;
   /// The slices to either side that give the direction.
   static constexpr std::size_t direction_reach = 2;
-  /// The slices to either side whose offsets from centroids to centers are averaged.
-  static constexpr std::size_t offset_reach = 3;
+  /// The slices to either side whose circles give the radius of one without.
+  static constexpr std::size_t radius_reach = 3;
   /// The radius of a limb relative to that of its parent.
   static constexpr double max_of_parent = 1.1;
   /// The least part of the squared scatter of points that remains when the scatter of the noise is subtracted.
@@ -328,15 +328,13 @@ private:
     section.confidence = std::max(min_confidence, accuracy * coverage * number * circle->inlier_part);
   }
 
-  /// Centers of circles are averaged with those around. Without a circle, the offset of the center from the centroid is
-  /// taken from around: limbs are seen from one side for a long way.
+  /// Centers are averaged with those around; without a circle, the center is the centroid.
   void place_centers(const Tree_limb& limb)
   {
     const std::size_t size = limb.slices.size();
     std::vector<Vector3> centers;
     for (std::size_t i = 0; i < size; ++i) {
-      centers.push_back(section(limb, i).is_circle() ? section(limb, i).center
-                                                     : m_slices[limb.slices[i]].centroid + offset_around(limb, i));
+      centers.push_back(section(limb, i).is_circle() ? section(limb, i).center : m_slices[limb.slices[i]].centroid);
     }
     for (std::size_t i = 0; i < size; ++i) {
       const bool is_end = i == 0 || i + 1 == size;
@@ -357,7 +355,7 @@ private:
     }
     double radius = 0;
     double sum = 0;
-    const auto [first, last] = window(limb, i, offset_reach);
+    const auto [first, last] = window(limb, i, radius_reach);
     for (std::size_t j = first; j <= last; ++j) {
       const Section& other = section(limb, j);
       if (other.is_circle()) {
@@ -368,24 +366,6 @@ private:
     its_section.is_rough = sum == 0;
     its_section.radius = its_section.is_rough ? scatter_radius(limb.slices[i]) : radius / sum;
     its_section.confidence = min_confidence;
-  }
-
-  /// How far the centers of circles around a slice without one are from the centroids.
-  Vector3 offset_around(const Tree_limb& limb, std::size_t i) const
-  {
-    Vector3 offset = Vector3::Zero();
-    double sum = min_confidence;
-    const auto [first, last] = window(limb, i, offset_reach);
-    for (std::size_t j = first; j <= last; ++j) {
-      const Section& other = section(limb, j);
-      if (other.is_circle()) {
-        const double steps = double(i) - double(j);
-        const double weight = other.confidence / (1 + 2 * steps * steps);
-        offset += weight * (other.center - m_slices[limb.slices[j]].centroid);
-        sum += weight;
-      }
-    }
-    return offset / sum;
   }
 
   /// The scatter of the points of a slice around its center, across the limb, without the part of the noise.
