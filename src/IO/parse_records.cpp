@@ -9,11 +9,8 @@
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -33,8 +30,6 @@ struct Property
   bool is_list = false;
   Number_type size_type{}; ///< of a list
   std::size_t count = 1;   ///< of the numbers, if it is not a list
-
-  bool is_list_of_corners() const { return is_list && (name == "vertex_indices" || name == "vertex_index"); }
 };
 
 /// An element: items of the same properties.
@@ -56,17 +51,6 @@ constexpr const char* remedy_of_header = "write the file again";
 
 using Names = std::initializer_list<std::string_view>;
 
-/// For each property, the position of its name among `names`; their number for others and for lists.
-std::vector<std::size_t> find_places(const Element& element, Names names)
-{
-  std::vector<std::size_t> places;
-  for (const Property& property : element.properties) {
-    const auto* const name = std::find(names.begin(), names.end(), property.name);
-    places.push_back(property.is_list ? names.size() : std::size_t(name - names.begin()));
-  }
-  return places;
-}
-
 /// Goes through the items of elements behind a header.
 class Item_scanner
 {
@@ -81,22 +65,20 @@ public:
     }
   }
 
-  /// The binary data; null in text.
-  Byte_scanner* bytes() { return m_bytes ? &*m_bytes : nullptr; }
   /// The size of the rest of the data, in bytes.
   std::size_t remaining() const { return m_bytes ? m_bytes->remaining() : m_text.remaining(); }
 
-  /// Reads the items of `element`, from the one with the number `first` on. Calls `use(item, property, position in the
-  /// list, number)` for each of their numbers, and `end(item)` behind them.
+  /// Reads the items of `element`. Calls `use(item, property, number)` for each of their numbers, and `end(item)`
+  /// behind them.
   template <class Use, class End>
-  void read_items(const Element& element, const Use& use, const End& end, std::size_t first = 0)
+  void read_items(const Element& element, const Use& use, const End& end)
   {
     // Items without properties take no room in the file, so that their number proves nothing.
-    for (std::size_t item = first; item < element.number_of_items && !element.properties.empty(); ++item) {
+    for (std::size_t item = 0; item < element.number_of_items && !element.properties.empty(); ++item) {
       for (const Property& property : element.properties) {
         const std::size_t size = property.is_list ? next_size(property) : property.count;
         for (std::size_t i = 0; i < size; ++i) {
-          use(item, property, i, next(property.type));
+          use(item, property, next(property.type));
         }
       }
       end(item);
@@ -107,9 +89,13 @@ public:
   template <class Use>
   void read_numbers(const Element& element, Names names, const Use& use)
   {
-    const std::vector<std::size_t> places = find_places(element, names);
+    std::vector<std::size_t> places; // of the properties among these names; their number for others
+    for (const Property& property : element.properties) {
+      const auto* const name = std::find(names.begin(), names.end(), property.name);
+      places.push_back(property.is_list ? names.size() : std::size_t(name - names.begin()));
+    }
     std::vector<double> numbers(names.size() + 1); // the last one is not needed
-    const auto keep = [&](std::size_t, const Property& property, std::size_t, double number) {
+    const auto keep = [&](std::size_t, const Property& property, double number) {
       numbers[places[std::size_t(&property - element.properties.data())]] = number;
     };
     read_items(element, keep, [&](std::size_t item) { use(item, numbers); });
@@ -163,7 +149,7 @@ public:
         read_edges(element);
       } else {
         m_items->read_items(
-            element, [](std::size_t, const Property&, std::size_t, double) {}, [](std::size_t) {});
+            element, [](std::size_t, const Property&, double) {}, [](std::size_t) {});
       }
     }
     return std::move(m_shape);
@@ -252,9 +238,6 @@ private:
     const bool has_normals = m_contents != skeleton_content && element.has_number("nx") && element.has_number("ny") &&
                              element.has_number("nz");
     const bool has_radii = (m_contents & skeleton_content) != 0 && element.has_number("radius");
-    if (!has_normals && !has_radii && read_point_records(element, find_places(element, names))) {
-      return;
-    }
     m_shape.points.reserve(m_shape.points.size() + std::min(element.number_of_items, m_items->remaining() / 3 + 1));
     m_items->read_numbers(element, names, [&](std::size_t, const std::vector<double>& values) {
       m_shape.points.emplace_back(values[0], values[1], values[2]);
@@ -267,75 +250,22 @@ private:
     });
   }
 
-  /// Reads the coordinates of binary vertices that are records of one size, column by column.
-  /// \return false, with nothing read, if they are not
-  bool read_point_records(const Element& element, const std::vector<std::size_t>& places)
-  {
-    std::size_t record_size = 0;
-    bool has_lists = false;
-    for (const Property& property : element.properties) {
-      record_size += property.type.size;
-      has_lists = has_lists || property.is_list;
-    }
-    // A number of records that the file cannot hold is left to the other way, which says where it ends.
-    Byte_scanner* const bytes = m_items->bytes();
-    if (bytes == nullptr || has_lists || element.number_of_items > bytes->remaining() / record_size) {
-      return false;
-    }
-    const std::size_t first = m_shape.points.size();
-    m_shape.points.resize(first + element.number_of_items);
-    const char* column = bytes->skip(element.number_of_items * record_size);
-    for (std::size_t p = 0; p < places.size(); column += element.properties[p].type.size, ++p) {
-      if (places[p] < 3) {
-        const Number_view numbers{column, element.properties[p].type, bytes->order(), record_size,
-                                  element.number_of_items};
-        numbers.for_each([&, axis = places[p]](std::size_t i, double x) { m_shape.points[first + i][axis] = x; });
-      }
-    }
-    return true;
-  }
-
   void read_polygons(const Element& element)
   {
-    m_shape.corners.reserve(3 * std::min(element.number_of_items, m_items->remaining() / 3 + 1));
-    const auto add = [this](std::size_t face, const Property& property, std::size_t, double number) {
-      if (property.is_list_of_corners()) {
+    const std::size_t max_number = std::min(element.number_of_items, m_items->remaining() / 3 + 1);
+    m_shape.corners.reserve(3 * max_number);
+    m_shape.first_corner.reserve(max_number + 1);
+    const Property* const properties = element.properties.data();
+    const Property* const corners =
+        std::find_if(properties, properties + element.properties.size(), [](const Property& p) {
+          return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+        });
+    const auto add = [this, corners](std::size_t face, const Property& property, double number) {
+      if (&property == corners) {
         m_shape.corners.push_back(to_index(number, "face", face));
       }
     };
-    m_items->read_items(
-        element, add, [this](std::size_t) { m_shape.end_polygon(); }, read_triangle_records(element));
-  }
-
-  /// Reads binary triangles of nothing but their corners, one after the other, as long as there are such, and returns
-  /// their number.
-  std::size_t read_triangle_records(const Element& element)
-  {
-    std::array<std::uint32_t, 3> corners{};
-    constexpr std::size_t record_size = 1 + sizeof(corners);
-    Byte_scanner* const bytes = m_items->bytes();
-    if (bytes == nullptr || element.properties.size() != 1 || bytes->order() != Byte_order::native) {
-      return 0;
-    }
-    const Property& list = element.properties.front();
-    if (!list.is_list_of_corners() || !(list.size_type == Number_type{'u', 1}) || list.type.size != 4 ||
-        list.type.kind == 'f') {
-      return 0;
-    }
-    // Of signed numbers, the negative ones are those from here on.
-    const std::uint32_t end = list.type.kind == 'i' ? std::uint32_t(1) << 31 : no_index;
-    std::size_t face = 0;
-    for (; face < element.number_of_items && bytes->remaining() >= record_size; ++face) {
-      const char* const record = bytes->data();
-      std::memcpy(corners.data(), record + 1, sizeof(corners));
-      if (*record != 3 || *std::max_element(corners.begin(), corners.end()) >= end) {
-        break;
-      }
-      bytes->skip(record_size);
-      m_shape.corners.insert(m_shape.corners.end(), corners.begin(), corners.end());
-      m_shape.end_polygon();
-    }
-    return face;
+    m_items->read_items(element, add, [this](std::size_t) { m_shape.end_polygon(); });
   }
 
   void read_edges(const Element& element)
