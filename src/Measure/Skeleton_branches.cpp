@@ -285,100 +285,14 @@ private:
   std::vector<Vector3> m_middle;
 };
 
-/// The section of faces by a plane: segments, which are joined to curves where they meet on an edge of the surface.
-class Face_section
-{
-public:
-  /// The plane through `center` perpendicular to `normal`, of unit length.
-  Face_section(const Assigned_surface& surface, const Vector3& center, const Vector3& normal)
-      : m_surface(surface), m_center(center), m_normal(normal)
-  {
-  }
-
-  void add(Index face)
-  {
-    const std::array<Index, 3>& corners = m_surface.triangles[face];
-    std::array<Index, 2> ends{no_index, no_index}; // where the boundary of the face goes below the plane, and above
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index from = corners[i];
-      const Index to = corners[(i + 1) % 3];
-      if (is_above(from) != is_above(to)) {
-        ends[is_above(to) ? 1 : 0] = crossing(from, to);
-      }
-    }
-    if (ends[0] != no_index) {
-      m_segments.push_back(ends);
-      m_curves.join(ends[0], ends[1]);
-    }
-  }
-
-  /// The area within the closed curve that winds around the center, the least of several; not a number if there is
-  /// none.
-  double area()
-  {
-    std::vector<Curve> curves(m_places.size());
-    for (const auto& [source, target] : m_segments) {
-      Curve& curve = curves[m_curves.find(source)];
-      const Vector3& p = m_places[source];
-      const Vector3& q = m_places[target];
-      const double twice_area = p.cross(q).dot(m_normal);
-      curve.area += twice_area / 2;
-      curve.angle += std::atan2(twice_area, p.dot(q));
-      ++curve.number_of_segments;
-    }
-    for (Index place = 0; place < m_places.size(); ++place) {
-      ++curves[m_curves.find(place)].number_of_places;
-    }
-    double least = Skeleton_branch::unknown;
-    for (const Curve& curve : curves) {
-      constexpr double half_turn = boost::math::double_constants::pi; // that of a closed curve is a multiple of a turn
-      const bool is_closed = curve.number_of_segments > 0 && curve.number_of_segments == curve.number_of_places;
-      if (is_closed && std::abs(curve.angle) > half_turn && !(std::abs(curve.area) >= least)) {
-        least = std::abs(curve.area);
-      }
-    }
-    return least;
-  }
-
-private:
-  struct Curve
-  {
-    double area = 0;
-    double angle = 0;
-    std::size_t number_of_segments = 0;
-    std::size_t number_of_places = 0;
-  };
-
-  double height(Index vertex) const { return (m_surface.points[vertex] - m_center).dot(m_normal); }
-  bool is_above(Index vertex) const { return height(vertex) > 0; }
-
-  /// The place where an edge crosses the plane, relative to the center.
-  Index crossing(Index from, Index to)
-  {
-    const auto [place, is_new] = m_place_on_edge.emplace(std::minmax(from, to), Index(m_places.size()));
-    if (is_new) {
-      const double t = height(from) / (height(from) - height(to));
-      m_places.push_back((1 - t) * m_surface.points[from] + t * m_surface.points[to] - m_center);
-      m_curves.add();
-    }
-    return place->second;
-  }
-
-  const Assigned_surface& m_surface;
-  Vector3 m_center;
-  Vector3 m_normal;
-  boost::unordered_map<std::pair<Index, Index>, Index> m_place_on_edge;
-  std::vector<Vector3> m_places;
-  std::vector<std::array<Index, 2>> m_segments;
-  Disjoint_sets m_curves; ///< of places
-};
-
 /// Measures the surface around one node after the other.
 class Node_measurement
 {
 public:
   Node_measurement(const Skeleton& skeleton, const Assigned_surface& surface)
-      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton))
+      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton)),
+        m_pairing(surface.triangles, surface.points.size()), m_is_near(surface.triangles.size()),
+        m_is_passed(surface.triangles.size())
   {
     std::vector<Bounding_box> boxes(surface.triangles.size());
     for (Index face = 0; face < boxes.size(); ++face) {
@@ -389,24 +303,25 @@ public:
     m_faces = Box_tree(boxes);
   }
 
-  Node_measures operator()(Index node) const
+  Node_measures operator()(Index node)
   {
     constexpr double max_distance = 3; // in radii: what reaches farther is not a section of the limb alone
     const Vector3& center = m_skeleton.points[node];
     const double reach = max_distance * m_skeleton.radii[node];
-    const Vector3 direction = direction_at(node);
-    Face_section section(m_surface, center, direction);
     double least = std::numeric_limits<double>::infinity(); // squared distance
+    m_near.clear();
+    m_is_near.clear();
     m_faces.visit([&](const Bounding_box& box) { return box.squared_distance(center) <= reach * reach; },
                   [&](Index face) {
                     least = std::min(least, squared_distance(center, face));
-                    if (direction != Vector3::Zero()) {
-                      section.add(face);
-                    }
+                    m_near.push_back(face);
+                    m_is_near.mark(face);
                   });
     Node_measures result;
     result.inscribed_radius = least <= reach * reach ? std::sqrt(least) : result.inscribed_radius;
-    result.section_area = section.area();
+    if (const Vector3 direction = direction_at(node); direction != Vector3::Zero()) {
+      result.section_area = section_area(center, direction);
+    }
     return result;
   }
 
@@ -424,6 +339,52 @@ private:
     return (m_skeleton.points[neighbors[0]] - from).normalized();
   }
 
+  /// The area within the closed curve that the plane through `center` perpendicular to `normal`, of unit length, cuts
+  /// out of the faces nearby and that winds around the center, the least of several; not a number if there is none.
+  double section_area(const Vector3& center, const Vector3& normal)
+  {
+    const auto height = [&](Index vertex) { return (m_surface.points[vertex] - center).dot(normal); };
+    const auto corner = [&](Index halfedge) { return m_surface.triangles[halfedge / 3][halfedge % 3]; };
+    const auto next = [](Index halfedge) { return Halfedge_pairing::next(halfedge); };
+    const auto goes = [&](Index halfedge, bool is_up) {
+      return (height(corner(next(halfedge))) > 0) == is_up && (height(corner(halfedge)) > 0) != is_up;
+    };
+    const auto place = [&](Index halfedge) -> Vector3 { // relative to the center
+      const Vector3& from = m_surface.points[corner(halfedge)];
+      const Vector3& to = m_surface.points[corner(next(halfedge))];
+      const double t = height(corner(halfedge)) / (height(corner(halfedge)) - height(corner(next(halfedge))));
+      return (1 - t) * from + t * to - center;
+    };
+    double least = Skeleton_branch::unknown;
+    m_is_passed.clear();
+    for (const Index face : m_near) {
+      Index entry = 3 * face;
+      while (entry < 3 * face + 3 && !goes(entry, true)) {
+        ++entry;
+      }
+      if (entry == 3 * face + 3) {
+        continue;
+      }
+      double area = 0;
+      double angle = 0;
+      while (entry != no_index && m_is_near.is_marked(entry / 3) && m_is_passed.mark(entry / 3)) {
+        const Index exit = goes(next(entry), false) ? next(entry) : next(next(entry));
+        const Vector3 p = place(entry);
+        const Vector3 q = place(exit);
+        const double twice_area = p.cross(q).dot(normal);
+        area += twice_area / 2;
+        angle += std::atan2(twice_area, p.dot(q));
+        entry = m_pairing.twin(exit);
+      }
+      constexpr double half_turn = boost::math::double_constants::pi; // that of a closed curve is a multiple of a turn
+      const bool is_closed = entry != no_index && entry / 3 == face;
+      if (is_closed && std::abs(angle) > half_turn && !(std::abs(area) >= least)) {
+        least = std::abs(area);
+      }
+    }
+    return least;
+  }
+
   double squared_distance(const Vector3& point, Index face) const
   {
     const auto to_point = [](const Vector3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
@@ -436,7 +397,11 @@ private:
   const Skeleton& m_skeleton;
   const Assigned_surface& m_surface;
   std::vector<std::vector<Index>> m_neighbors;
+  Halfedge_pairing m_pairing;
   Box_tree m_faces;
+  std::vector<Index> m_near; ///< faces within reach of the node
+  Epoch_marks m_is_near;     ///< of faces: whether among these
+  Epoch_marks m_is_passed;   ///< of faces: whether their curve was followed
 };
 
 } // namespace
@@ -477,7 +442,7 @@ void measure_surface_parts(const Skeleton& skeleton, const Assigned_surface& sur
 std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const Assigned_surface& surface)
 {
   CGAL_precondition(skeleton.has_radii());
-  const Node_measurement measure(skeleton, surface);
+  Node_measurement measure(skeleton, surface);
   std::vector<Node_measures> result;
   result.reserve(skeleton.number_of_nodes());
   for (Index node = 0; node < skeleton.number_of_nodes(); ++node) {
