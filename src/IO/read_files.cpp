@@ -97,21 +97,14 @@ const File_format* find_format(const std::string& filename, unsigned contents)
 /// The format that holds some of `contents` and that the ending of `filename` names. \throw File_error if there is none
 const File_format& get_format(const std::string& filename, unsigned contents)
 {
-  const std::string plain = contents == skeleton_content ? filename : without_compression_ending(filename);
-  const File_format* const format = find_format(plain, contents);
-  if (format != nullptr) {
-    return *format;
+  const bool may_be_compressed = contents != skeleton_content;
+  const File_format* const format =
+      find_format(may_be_compressed ? without_compression_ending(filename) : filename, contents);
+  if (format == nullptr) {
+    fail_in_file(filename, "the ending names no known format",
+                 "use one of " + boost::algorithm::join(endings(contents), " "));
   }
-  const auto list = [](unsigned kinds) { return boost::algorithm::join(endings(kinds), " "); };
-  constexpr const char* fault = "the ending names no known ";
-  for (const auto& [kind, name] : {std::pair(mesh_content, "mesh format"), std::pair(point_content, "format of points"),
-                                   std::pair(skeleton_content, "skeleton format")}) {
-    if (contents == kind) {
-      fail_in_file(plain, std::string(fault) + name, "use one of " + list(kind));
-    }
-  }
-  fail_in_file(filename, std::string(fault) + "format",
-               "use one of " + list(mesh_content) + " for meshes, " + list(point_content) + " for points");
+  return *format;
 }
 
 /// The number of bytes that are left in `in`, or 0 where that is not known, as of a pipe.
