@@ -26,6 +26,8 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
 
+#include <boost/unordered_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -350,7 +352,7 @@ std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<V
     std::sort(corners.begin(), corners.end());
     return corners;
   };
-  std::vector<std::pair<Corners, Index>> face_at;
+  boost::unordered_map<Corners, Index> face_at;
   std::vector<Index> face_at_place(places.size(), no_index);
   for (Index face = 0; face < faces.size(); ++face) {
     Corners corners{};
@@ -358,10 +360,8 @@ std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<V
       corners[i] = place_of_vertex[faces[face][i]];
       face_at_place[corners[i]] = std::min(face_at_place[corners[i]], face);
     }
-    face_at.emplace_back(sorted(corners), face);
+    face_at.emplace(sorted(corners), face);
   }
-  std::sort(face_at.begin(), face_at.end());
-
   std::vector<Index> result(file.number_of_polygons(), no_index);
   const std::vector<Corners> triangles = triangulate_polygon_soup(Shape_file(file)).faces;
   auto triangle = triangles.begin();
@@ -371,12 +371,9 @@ std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<V
     for (std::size_t i = 2; i < file.size_of_polygon(polygon); ++i, ++triangle) {
       const Corners corners = sorted({place[(*triangle)[0]], place[(*triangle)[1]], place[(*triangle)[2]]});
       const double area = triangle_area(places[corners[0]], places[corners[1]], places[corners[2]]);
-      for (auto at = std::lower_bound(face_at.begin(), face_at.end(), std::pair(corners, Index(0)));
-           at != face_at.end() && at->first == corners; ++at) {
-        if (area > largest_area) {
-          largest_area = area;
-          largest = at->second;
-        }
+      if (const auto face = face_at.find(corners); face != face_at.end() && area > largest_area) {
+        largest_area = area;
+        largest = face->second;
       }
     }
     for (std::size_t c = file.first_corner[polygon]; c < file.first_corner[polygon + 1] && largest == no_index; ++c) {
