@@ -126,18 +126,15 @@ public:
   {
     m_corners = m_soup.corners.data() + m_soup.first_corner[polygon];
     m_size = m_soup.size_of_polygon(polygon);
-    const bool is_cut = m_size > 3 && (triangulate_as_fan() || triangulate_by_cgal());
-    if (!is_cut) {
-      append_fan(0); // of fewer than three corners: nothing
+    const bool is_cut = m_size > 3 && !is_fan_unfolded() && triangulate_by_cgal();
+    for (std::size_t i = 1; i + 1 < m_size && !is_cut; ++i) { // of fewer than three corners: nothing
+      append(0, i, i + 1);
     }
   }
 
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-  /// Polygons of more corners than this are tried as a fan around their first corner only, as trying takes quadratic
-  /// time.
-  static constexpr std::size_t max_size_to_try_all_fans = 16;
   /// Polygons of more corners than this are cut as a fan whatever their shape: CGAL's triangulation of a hole takes up
   /// to cubic time where it is not planar.
   static constexpr std::size_t max_size_for_cgal = 500;
@@ -147,36 +144,15 @@ private:
     m_triangles.push_back({m_corners[i], m_corners[j], m_corners[k]});
   }
 
-  void append_fan(std::size_t apex)
-  {
-    for (std::size_t i = 1; i + 1 < m_size; ++i) {
-      append(apex, (apex + i) % m_size, (apex + i + 1) % m_size);
-    }
-  }
-
-  /// Looks for a corner that sees the whole polygon, as all corners of a convex one do.
-  bool triangulate_as_fan()
+  /// Whether the first corner sees the whole polygon, as all corners of a convex one do.
+  bool is_fan_unfolded() const
   {
     Vector3 normal = Vector3::Zero();
     for (std::size_t i = 1; i + 1 < m_size; ++i) {
       normal += (point(i) - point(0)).cross(point(i + 1) - point(0));
     }
-    const std::size_t number_of_tries = m_size <= max_size_to_try_all_fans ? m_size : 1;
-    for (std::size_t apex = 0; apex < number_of_tries; ++apex) {
-      if (is_fan_unfolded(apex, normal)) {
-        append_fan(apex);
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool is_fan_unfolded(std::size_t apex, const Vector3& normal) const
-  {
     for (std::size_t i = 1; i + 1 < m_size; ++i) {
-      const Vector3 a = point((apex + i) % m_size) - point(apex);
-      const Vector3 b = point((apex + i + 1) % m_size) - point(apex);
-      if (!(a.cross(b).dot(normal) > 0)) {
+      if (!((point(i) - point(0)).cross(point(i + 1) - point(0)).dot(normal) > 0)) {
         return false;
       }
     }
