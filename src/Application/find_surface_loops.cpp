@@ -278,7 +278,6 @@ private:
     Surface_path path;
     Polygon_measures measures;
     Bits loop_class;
-    bool is_geodesic = false;
     bool is_over_hole = false; // along an edge that only bridges a border
   };
 
@@ -348,14 +347,13 @@ private:
     candidate.loop_class = m_classes(halfedges);
     candidate.is_over_hole = std::any_of(halfedges.begin(), halfedges.end(), [&](Index h) { return is_over_hole(h); });
     const Shortening_outcome outcome = m_shorten(halfedges, true, candidate.path);
-    candidate.is_geodesic = outcome == Shortening_outcome::straight;
     if (outcome == Shortening_outcome::collapsed && candidate.loop_class.any()) {
       // Around a handle that is tiny compared with it, the loop is kept as it was.
       for (const Index h : halfedges) {
         candidate.path.points.push_back({h, 0.});
       }
     }
-    if (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole)) {
+    if (candidate.loop_class.any() || (outcome == Shortening_outcome::straight && !candidate.is_over_hole)) {
       candidate.measures = measure_polygon(points(candidate));
       m_candidates.push_back(std::move(candidate));
     }

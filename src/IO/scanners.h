@@ -54,11 +54,6 @@ struct Number_type
   }
 };
 
-inline bool operator==(const Number_type& a, const Number_type& b)
-{
-  return a.kind == b.kind && a.size == b.size;
-}
-
 /// The type that a format calls `name`, such as `uchar`, `unsigned char`, `UInt8`, `uint8_t` or `MET_UCHAR`; a type
 /// that is not valid for other names. \param size_of_long in bytes, as formats differ; 0 where `long` is not a type
 inline Number_type number_type(std::string_view name, std::size_t size_of_long = 0)
@@ -155,7 +150,6 @@ public:
   std::size_t remaining() const { return m_bytes.size(); }
   /// Where the data that are left begin.
   const char* data() const { return m_bytes.data(); }
-  Byte_order order() const { return m_order; }
 
   /// Reads a number. \throw File_error if the data end before
   template <class Number>

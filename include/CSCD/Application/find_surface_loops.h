@@ -77,7 +77,8 @@ std::vector<Surface_loop<Vector3>> find_surface_loops(std::vector<Vector3> point
 ///
 /// A constriction separates the surface. Of several that are at one place or cross, the shortest is returned.
 ///
-/// Near linear in the number of vertices, times 2 g for a surface of genus g.
+/// Near linear in the number of vertices, times 2 g for a surface of genus g, and at most quadratic in the number of
+/// edges of a basis of its loops.
 /// \tparam TriangleMesh a model of `FaceListGraph` whose faces are all triangles
 /// \param mesh an oriented manifold; the surface counts as closed at its borders
 /// \param np an optional sequence of named parameters
