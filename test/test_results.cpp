@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The results for small inputs are those of the table results.txt next to this file: what is read from the files of the
+// The results for small inputs are those of the table results.txt next to this file: the contents of the files of the
 // fuzz corpora, and the skeletons of their soups and of generated shapes, as meshes, points and graphs.
 //
 // Where a change is wanted, this command writes the table anew, and the difference shows what changed:
