@@ -126,7 +126,7 @@ private:
   std::uint32_t m_epoch = 1;             // the number of the set
 };
 
-/// Boost's disjoint sets with their own memory, which can be copied and prolonged.
+/// Boost's disjoint sets with their own memory, which can be copied.
 class Disjoint_sets
 {
 public:
@@ -137,14 +137,6 @@ public:
   }
 
   Index size() const { return Index(m_parent.size()); }
-
-  /// Adds a set of one more index. \return the index
-  Index add()
-  {
-    m_parent.push_back(size());
-    m_rank.push_back(0);
-    return size() - 1;
-  }
 
   /// The index that represents the set of `index`.
   Index find(Index index) { return sets().find_set(index); }
