@@ -6,6 +6,7 @@
 #ifndef CSCD_PACKING_LOOPS_ACROSS_H
 #define CSCD_PACKING_LOOPS_ACROSS_H
 
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
@@ -296,6 +297,138 @@ private:
   std::vector<char> m_is_next_to_crossing; ///< of every vertex, whether an edge there is crossed
   Dijkstra_search m_search;                ///< over vertices
   std::vector<Index> m_entered;            ///< for each reached vertex, the halfedge on the way to it
+};
+
+/// Finds loops that cross a separator once, along edges of the surface and as few other separators as possible: each
+/// once, and by an edge that no other one crosses.
+class Loops_through_pieces
+{
+public:
+  /// Grows a tree in each piece of `surface`, which is cut along the separators `packed` into `cut_graph`; linear. The
+  /// surface and the pieces are referred to.
+  Loops_through_pieces(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+                       const std::vector<Index>& packed, const Cut_graph& cut_graph)
+      : m_surface(surface), m_cut_graph(cut_graph), m_door(packed.size(), no_index),
+        m_parent(surface.number_of_vertices(), no_index)
+  {
+    std::vector<Index> number_of_crossings(surface.number_of_halfedges(), 0);
+    for (const Index separator : packed) {
+      for (const Edge_crossing& crossing : separators[separator].crossings) {
+        ++number_of_crossings[surface.edge(crossing.halfedge)];
+      }
+    }
+    for (Index i = 0; i < m_door.size(); ++i) {
+      for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
+        if (number_of_crossings[surface.edge(crossing.halfedge)] == 1) {
+          m_door[i] = crossing.halfedge;
+        }
+      }
+    }
+    for (Index root = 0; root < m_parent.size(); ++root) {
+      if (m_parent[root] == no_index) {
+        grow_tree(root, number_of_crossings);
+      }
+    }
+  }
+
+  /// The separators that a loop crosses, as positions among the packed ones, and its vertices, as a curve.
+  struct Loop
+  {
+    std::vector<Index> crossed;
+    std::vector<Edge_crossing> curve;
+  };
+
+  /// A loop through the separator at position `i`; empty if there is none. Linear in the number of pieces and vertices
+  /// on the way.
+  Loop operator()(Index i) const
+  {
+    Loop result{{i}, {}};
+    const Cut_graph::Sides& sides = m_cut_graph.sides(i);
+    std::vector<Index> entered(m_cut_graph.pieces().size(), no_index); // the separator on the way back
+    std::vector<Index> reached{sides.right};
+    entered[sides.right] = i;
+    for (std::size_t k = 0; k < reached.size() && entered[sides.left] == no_index; ++k) {
+      for (const Index separator : m_cut_graph.pieces()[reached[k]].separators) {
+        const Index other = m_cut_graph.sides(separator).other(reached[k]);
+        if (separator != i && entered[other] == no_index) {
+          entered[other] = separator;
+          reached.push_back(other);
+        }
+      }
+    }
+    Index piece = sides.left;
+    Index from = m_door[i] == no_index ? no_index : m_surface.target(m_door[i]);
+    while (from != no_index && entered[piece] != no_index) {
+      const Index exit = entered[piece];
+      if (m_door[exit] == no_index) {
+        break;
+      }
+      const bool is_last = exit == i; // out to the right of `i`, where the loop closes
+      const bool is_on_right = is_last || m_cut_graph.sides(exit).right == piece;
+      const Index origin = m_surface.origin(m_door[exit]);
+      const Index target = m_surface.target(m_door[exit]);
+      if (!append_path(from, is_on_right ? origin : target, result.curve)) {
+        break;
+      }
+      if (is_last) {
+        return result;
+      }
+      result.crossed.push_back(exit);
+      from = is_on_right ? target : origin;
+      piece = m_cut_graph.sides(exit).other(piece);
+    }
+    return {};
+  }
+
+private:
+  void grow_tree(Index root, const std::vector<Index>& number_of_crossings)
+  {
+    std::vector<Index> reached{root};
+    m_parent[root] = root;
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+      for (const Index h : m_surface.outgoing(reached[k])) {
+        const Index neighbor = m_surface.target(h);
+        if (m_parent[neighbor] == no_index && number_of_crossings[m_surface.edge(h)] == 0) {
+          m_parent[neighbor] = reached[k];
+          reached.push_back(neighbor);
+        }
+      }
+    }
+  }
+
+  /// Appends the path in the tree of both from `from` to `to`. \return whether they are in one tree
+  bool append_path(Index from, Index to, std::vector<Edge_crossing>& curve) const
+  {
+    std::vector<Index> forth = path_to_root(from);
+    std::vector<Index> back = path_to_root(to);
+    if (forth.back() != back.back()) {
+      return false;
+    }
+    while (forth.size() > 1 && back.size() > 1 && forth[forth.size() - 2] == back[back.size() - 2]) {
+      forth.pop_back();
+      back.pop_back();
+    }
+    forth.pop_back(); // where they meet
+    forth.insert(forth.end(), back.rbegin(), back.rend());
+    for (const Index vertex : forth) {
+      curve.push_back({*m_surface.outgoing(vertex).begin(), 0});
+    }
+    return true;
+  }
+
+  std::vector<Index> path_to_root(Index vertex) const
+  {
+    std::vector<Index> result{vertex};
+    while (m_parent[result.back()] != result.back()) {
+      result.push_back(m_parent[result.back()]);
+    }
+    return result;
+  }
+
+  const Triangulated_surface& m_surface;
+  const Cut_graph& m_cut_graph;
+  std::vector<Index> m_door;   ///< for each separator, a halfedge from its right to its left that no other one crosses
+  std::vector<Index> m_parent; ///< in the trees; a root is its own parent
 };
 
 } // namespace CSCD::internal
