@@ -310,7 +310,7 @@ private:
       const Vector3 next_incident_edge = surface.point(surface.opposite_vertex(halfedge)) - center;
       const double length = incident_edge.norm();
       const double product = length * next_incident_edge.norm();
-      // A incident edge of no length spans no angle.
+      // An incident edge of no length spans no angle.
       const double cosine = product > 0 ? incident_edge.dot(next_incident_edge) / product : 1.;
       const double sine = product > 0 ? incident_edge.cross(next_incident_edge).norm() / product : 0.;
       m_corners.push_back({neighbor, float(length), float(cosine), float(sine)});
