@@ -28,6 +28,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -195,6 +196,21 @@ TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
   EXPECT_EQ(plain(skeletonize(points).skeleton),
             renamed(plain(skeletonize(CSCD::test::permuted(points, order)).skeleton), order));
+}
+
+/// With cut handles, faces without area and fragments that are flat: there rounding must not decide.
+TEST(Point_skeleton, moves_with_the_points)
+{
+  const Similarity motion{1.7, CSCD::test::unit({1, 2, 3}), 2, {1, 2, 3}};
+  const Shape chain = CSCD::test::chain_of_rings(3, 16);
+  for (const auto& [shape, number, seed] :
+       {std::tuple(CSCD::test::hand(0.12), 1000, 2), std::tuple(chain, 1000, 3), std::tuple(chain, 800, 2),
+        std::tuple(CSCD::test::ladder(4, 0.15), 2000, 3)}) {
+    SCOPED_TRACE(shape.name);
+    const std::vector<Triple> points = sampled(shape, std::size_t(number), unsigned(seed));
+    const Plain_skeleton expected = moved(plain(skeletonize(points).skeleton), motion);
+    EXPECT_EQ(difference(expected, plain(skeletonize(moved(points, motion)).skeleton), 1e-6 * diagonal(shape)), "");
+  }
 }
 
 TEST(Point_skeleton, does_not_depend_on_the_number_of_threads)

@@ -176,7 +176,7 @@ private:
         words.push_back(edge.word);
         Vertex_loop loop = close_loop(m_surface.origin(edge.halfedge), m_surface.target(edge.halfedge));
         if (edge.loop_length <= max_length || is_in_fold(loop)) {
-          m_candidates.push_back({edge.loop_length, edge.word, std::move(loop)});
+          m_candidates.push_back({length(loop), edge.word, std::move(loop)});
         }
       }
     }
@@ -226,7 +226,8 @@ private:
     });
   }
 
-  /// The paths to `a` and `b`, as a loop.
+  /// The paths to `a` and `b`, as a loop: from its least vertex to the lesser neighbor, so that the loop is the same from
+  /// all of its vertices.
   Vertex_loop close_loop(Index a, Index b) const
   {
     Vertex_loop loop;
@@ -237,7 +238,20 @@ private:
     for (Index vertex = b; m_paths[vertex].parent != no_index; vertex = m_paths[vertex].parent) {
       loop.push_back(vertex);
     }
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    if (loop.back() < loop[1]) {
+      std::reverse(loop.begin() + 1, loop.end());
+    }
     return loop;
+  }
+
+  float length(const Vertex_loop& loop) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      sum += (m_surface.point(loop[i]) - m_surface.point(loop[i + 1 < loop.size() ? i + 1 : 0])).norm();
+    }
+    return float(sum);
   }
 
   bool is_in_fold(const Vertex_loop& loop) const
@@ -257,7 +271,7 @@ private:
         const Vector3 center = (m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h)) +
                                 m_surface.point(m_surface.opposite_vertex(h))) /
                                3;
-        m_faces.push_back({center, m_surface.face_vector(face).normalized()});
+        m_faces.push_back({center, m_surface.face_normal(face)});
       }
     }
     for (std::size_t i = 0; i < m_faces.size(); ++i) {

@@ -374,9 +374,10 @@ private:
     triangles.erase(std::remove_if(triangles.begin(), triangles.end(), is_contradictory), triangles.end());
   }
 
-  /// Turns components that enclose a negative volume.
+  /// Turns components that enclose a negative volume. Rounding does not turn flat ones.
   void turn_outwards(std::vector<std::array<Index, 3>>& triangles)
   {
+    constexpr double rounding = 1e-9; // relative to the volume of the vectors to the corners
     Disjoint_sets sets = sets_of_vertices(triangles, m_points.size());
     std::vector<Vector3> center(m_points.size(), Vector3::Zero()); // sums of corners, of every root
     std::vector<double> count(m_points.size(), 0);
@@ -390,7 +391,8 @@ private:
     for (const auto& [a, b, c] : triangles) {
       const Index root = sets.find(a);
       const Vector3 origin = center[root] / count[root];
-      volume[root] += (m_points[a] - origin).dot((m_points[b] - origin).cross(m_points[c] - origin));
+      const std::array<Vector3, 3> arms{m_points[a] - origin, m_points[b] - origin, m_points[c] - origin};
+      volume[root] += arms[0].dot(arms[1].cross(arms[2])) + rounding * arms[0].norm() * arms[1].norm() * arms[2].norm();
     }
     for (auto& triangle : triangles) {
       if (volume[sets.find(triangle[0])] < 0) {

@@ -69,7 +69,7 @@ public:
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
       const Vector3& before = m_points[i > 0 ? i - 1 : m_points.size() - 1];
       const double length = (m_points[i] - before).norm();
-      const Vector3 normal = m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
+      const Vector3 normal = m_surface.face_normal(Triangulated_surface::face(m_crossings[i].halfedge));
       moment += Moment_matrix::product(length * normal, normal);
       mean += length * normal;
       weight += length;

@@ -112,7 +112,8 @@ private:
 inline void straighten(const Triangulated_surface& surface, std::vector<Edge_crossing>& crossings)
 {
   constexpr int number_of_sweeps = 15;
-  constexpr double end_margin = 0.02; // from the ends of an edge, relative to its length
+  constexpr double end_margin = 0.02;  // from the ends of an edge, relative to its length
+  constexpr double negligible = 1e-12; // area, relative to the square of the length
   cancel_backtracks(surface, crossings);
   const std::size_t size = crossings.size();
   for (std::size_t i = 0; i < number_of_sweeps * size; ++i) {
@@ -125,9 +126,11 @@ inline void straighten(const Triangulated_surface& surface, std::vector<Edge_cro
     // The areas that the edge spans with the two: their distances from it, times its length.
     const double height_before = edge.cross(before).norm();
     const double height_after = edge.cross(after).norm();
-    if (squared_length > 0 && height_before + height_after > 0) {
-      const double along = (height_after * before.dot(edge) + height_before * after.dot(edge)) /
-                           ((height_before + height_after) * squared_length);
+    if (squared_length > 0) {
+      // Between faces without area, rounding does not decide: in the middle.
+      const double height = height_before + height_after;
+      const double share = height > negligible * squared_length ? height_after / height : 0.5;
+      const double along = (share * before + (1 - share) * after).dot(edge) / squared_length;
       crossing.position = std::clamp(along, end_margin, 1 - end_margin);
     }
   }

@@ -184,7 +184,7 @@ private:
            3;
   }
 
-  Vector3 inward_of(Index face) const { return (-m_surface.face_vector(face)).normalized(); }
+  Vector3 inward_of(Index face) const { return -m_surface.face_normal(face); }
 
   const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;

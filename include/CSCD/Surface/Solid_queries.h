@@ -93,7 +93,7 @@ public:
   {
     const Vector3 way = nearest.point - point;
     if (!(way.norm() > m_offset)) {
-      return -m_surface.face_vector(nearest.face).normalized();
+      return -m_surface.face_normal(nearest.face);
     }
     return is_inside(point) ? Vector3(-way.normalized()) : way.normalized();
   }
@@ -115,7 +115,7 @@ public:
   }
 
   /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
-  /// the body.
+  /// the body. Where faces lie upon each other, rounding does not make it leave.
   void crossings(const Vector3& from, const Vector3& to, std::vector<double>& distances) const
   {
     distances.clear();
@@ -134,7 +134,9 @@ public:
     for (const auto& [distance, turn] : hits) {
       const bool was_inside = number != 0;
       number -= turn;
-      if (was_inside != (number != 0)) {
+      if (!was_inside && !distances.empty() && distance - distances.back() <= m_offset) {
+        distances.pop_back();
+      } else if (was_inside != (number != 0)) {
         distances.push_back(distance);
       }
     }

@@ -174,6 +174,14 @@ public:
   {
     return internal::triangle_vector(point(origin(3 * face)), point(origin(3 * face + 1)), point(origin(3 * face + 2)));
   }
+  /// The unit normal of `face`; zero where the area is not more than rounding leaves of collinear corners.
+  /// \pre the coordinates are about 1
+  Vector3 face_normal(Index face) const
+  {
+    constexpr double least = 1e-14; // twice the area
+    const Vector3 vector = face_vector(face);
+    return vector.norm() > least ? vector.normalized() : Vector3::Zero();
+  }
   /// From this face on, faces only close borders.
   bool is_hole_filling(Index face) const { return face >= m_first_hole_filling_face; }
   /// From this face on, faces only close borders.
