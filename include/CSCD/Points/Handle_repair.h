@@ -226,8 +226,8 @@ private:
     });
   }
 
-  /// The paths to `a` and `b`, as a loop: from its least vertex to the lesser neighbor, so that the loop is the same from
-  /// all of its vertices.
+  /// The paths to `a` and `b`, as a loop: from its least vertex to the lesser neighbor, so that the loop is the same
+  /// from all of its vertices.
   Vertex_loop close_loop(Index a, Index b) const
   {
     Vertex_loop loop;

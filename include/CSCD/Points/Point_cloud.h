@@ -104,13 +104,10 @@ void check_extent(const Point_cloud& cloud);
 
 namespace internal {
 
-/// Merges equal `points` and sorts the rest lexicographically into the empty `cloud`; normals of merged points are
-/// added. O(n log n).
-void merge_and_sort(std::vector<Vector3>&& points, std::vector<Vector3>&& normals, Point_cloud& cloud);
-
-/// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a Hilbert
-/// curve, by medians, for points that are near each other to be near in memory. O(n log n).
-void sort_canonically(Point_cloud& cloud);
+/// Writes `points` to the empty `cloud`, in the order of a Morton curve in their canonical pose, along which points
+/// that are near each other are near in memory: neither the order of the input nor its pose matters. Equal points are
+/// merged, and their normals added. O(n log n).
+void put_in_order(const std::vector<Vector3>& points, const std::vector<Vector3>& normals, Point_cloud& cloud);
 
 } // namespace internal
 } // namespace CSCD

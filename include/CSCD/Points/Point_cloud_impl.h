@@ -8,63 +8,54 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/flat_arrays.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
+#include <CSCD/internal/Box_tree.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-CSCD_INLINE void sort_canonically(Point_cloud& cloud)
+/// `number`, of 21 binary digits, with two zeros before each of them.
+inline std::uint64_t spread_digits(std::uint64_t number)
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  cloud.pose = Canonical_pose(cloud.points);
-  // Side by side, since the sort reads the points all the time.
-  using Numbered_point = std::pair<Kernel::Point_3, Index>;
-  std::vector<Numbered_point> order;
-  order.reserve(cloud.points.size());
-  for (Index i = 0; i < cloud.points.size(); ++i) {
-    order.emplace_back(make_point<Kernel::Point_3>(cloud.pose(cloud.points[i])), i);
-  }
-  using Map = CGAL::First_of_pair_property_map<Numbered_point>;
-  CGAL::hilbert_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>());
-  std::vector<Index> number(order.size());
-  std::vector<Index> old_number(order.size());
-  for (Index i = 0; i < order.size(); ++i) {
-    old_number[i] = order[i].second;
-    number[old_number[i]] = i;
-  }
-  for (Index& point : cloud.input_point) {
-    point = number[point];
-  }
-  cloud.points = reordered(cloud.points, old_number);
-  cloud.normals = reordered(cloud.normals, old_number);
+  number = (number | number << 32U) & 0x001f00000000ffffU;
+  number = (number | number << 16U) & 0x001f0000ff0000ffU;
+  number = (number | number << 8U) & 0x100f00f00f00f00fU;
+  number = (number | number << 4U) & 0x10c30c30c30c30c3U;
+  return (number | number << 2U) & 0x1249249249249249U;
 }
 
-CSCD_INLINE void merge_and_sort(std::vector<Vector3>&& points, std::vector<Vector3>&& normals, Point_cloud& cloud)
+CSCD_INLINE void put_in_order(const std::vector<Vector3>& points, const std::vector<Vector3>& normals,
+                              Point_cloud& cloud)
 {
-  std::vector<std::pair<Vector3, Index>> numbered; // with their points, which are read all the time
-  numbered.reserve(points.size());
-  for (Index i = 0; i < points.size(); ++i) {
-    numbered.emplace_back(points[i], i);
+  constexpr double max_cell = (1 << 21) - 1; // along the longest side: 63 binary digits in all
+  cloud.pose = Canonical_pose(points);
+  std::vector<Vector3> posed(points.size());
+  std::transform(points.begin(), points.end(), posed.begin(), cloud.pose);
+  const Bounding_box box(posed);
+  const double cells = max_cell / (box.max() - box.min()).maxCoeff();
+  std::vector<std::pair<std::uint64_t, Index>> order; // by the codes of cells
+  order.reserve(points.size());
+  for (Index i = 0; i < posed.size(); ++i) {
+    const Vector3 cell = cells * (posed[i] - box.min());
+    const auto spread = [&cell](std::size_t axis) { return spread_digits(std::uint64_t(cell[axis])); };
+    order.emplace_back(spread(0) << 2U | spread(1) << 1U | spread(2), i);
   }
-  std::sort(numbered.begin(), numbered.end(),
-            [](const auto& a, const auto& b) { return is_lexicographically_less(a.first, b.first); });
+  std::sort(order.begin(), order.end(), [&points](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : is_lexicographically_less(points[a.second], points[b.second]);
+  });
   cloud.points.reserve(points.size());
   cloud.input_point.resize(points.size());
-  for (const auto& [point, i] : numbered) {
-    if (cloud.points.empty() || cloud.points.back() != point) {
-      cloud.points.push_back(point);
+  for (const auto& [code, i] : order) {
+    if (cloud.points.empty() || cloud.points.back() != points[i]) {
+      cloud.points.push_back(points[i]);
       if (!normals.empty()) {
         cloud.normals.push_back(Vector3::Zero());
       }
@@ -86,23 +77,26 @@ namespace CSCD {
 CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector3>& points)
 {
   const double size = double(points.size());
+  // All terms, which are less than 64, are rounded such that their sums are exact: whatever their order.
+  const double shift = std::ldexp(48., int(std::ceil(std::log2(size))));
+  Eigen::Array3d sum = Eigen::Array3d::Zero();
   for (const Vector3& point : points) {
-    m_centroid += point / size;
+    sum += (internal::to_eigen(point).array() + shift) - shift;
   }
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  m_centroid = internal::from_eigen(sum / size);
+  Eigen::Array33d moments = Eigen::Array33d::Zero();
   for (const Vector3& point : points) {
     const Eigen::Vector3d offset = internal::to_eigen(point - m_centroid);
-    moments += offset * offset.transpose() / size;
+    moments += ((offset * offset.transpose()).array() + shift) - shift;
   }
   // The iterative solver is exact to rounding, unlike the direct one.
-  m_rotation = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().transpose();
-  m_scale = 1 / std::sqrt(moments.trace());
-  Vector3 third_moments = Vector3::Zero();
+  m_rotation = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments.matrix()).eigenvectors().transpose();
+  Eigen::Array3d third_moments = Eigen::Array3d::Zero();
   for (const Vector3& point : points) {
-    const Vector3 place = (*this)(point);
-    third_moments +=
-        {place.x() * place.x() * place.x(), place.y() * place.y() * place.y(), place.z() * place.z() * place.z()};
+    const Eigen::Array3d place = m_rotation * internal::to_eigen(point - m_centroid);
+    third_moments += (place * place * place + shift) - shift;
   }
+  m_scale = std::sqrt(size / moments.matrix().trace());
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     if (third_moments[axis] < 0) {
       m_rotation.row(axis) *= -1;
@@ -154,13 +148,13 @@ CSCD_INLINE Point_cloud make_point_cloud(std::vector<Vector3>&& points, std::vec
   Point_cloud cloud;
   if (std::all_of(points.begin(), points.end(), [&](const Vector3& p) { return p == points.front(); })) {
     cloud.normalization = {points.front(), 1};
-    std::fill(points.begin(), points.end(), Vector3::Zero());
-    internal::merge_and_sort(std::move(points), std::move(normals), cloud);
+    cloud.points = {Vector3::Zero()};
+    cloud.normals.resize(std::min<std::size_t>(normals.size(), 1), Vector3::Zero());
+    cloud.input_point.resize(points.size(), 0);
     return cloud;
   }
   cloud.normalization = normalize_extent(points);
-  internal::merge_and_sort(std::move(points), std::move(normals), cloud);
-  internal::sort_canonically(cloud);
+  internal::put_in_order(points, normals, cloud);
   return cloud;
 }
 

@@ -365,8 +365,7 @@ private:
   {
     Point_cloud result;
     result.normalization = m_cloud.normalization.then(normalize_extent(points));
-    merge_and_sort(std::move(points), reordered(m_cloud.normals, kept), result);
-    sort_canonically(result);
+    put_in_order(points, reordered(m_cloud.normals, kept), result);
     const std::vector<Index> new_point = std::move(result.input_point);
     result.input_point.reserve(m_cloud.input_point.size());
     for (Index point : m_cloud.input_point) {
