@@ -46,7 +46,7 @@ CSCD_INLINE void put_in_order(const std::vector<Vector3>& points, const std::vec
   for (Index i = 0; i < posed.size(); ++i) {
     const Vector3 cell = cells * (posed[i] - box.min());
     const auto spread = [&cell](std::size_t axis) { return spread_digits(std::uint64_t(cell[axis])); };
-    order.emplace_back(spread(0) << 2U | spread(1) << 1U | spread(2), i);
+    order.emplace_back(spread(2) << 2U | spread(1) << 1U | spread(0), i); // the longest axis first
   }
   std::sort(order.begin(), order.end(), [&points](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : is_lexicographically_less(points[a.second], points[b.second]);
