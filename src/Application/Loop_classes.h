@@ -154,12 +154,12 @@ private:
   void find_linking()
   {
     m_linking.assign(size(), Bits(size()));
-    std::vector<Polygon> dual_loops;
+    std::vector<Seen_polygon> dual_loops;
     for (const Index edge : m_trees.left_over()) {
-      dual_loops.push_back(dual_loop_points(edge));
+      dual_loops.emplace_back(dual_loop_points(edge));
     }
     for (Index i = 0; i < size(); ++i) {
-      const Polygon loop = loop_points(m_trees.left_over()[i]);
+      const Seen_polygon loop = loop_points(m_trees.left_over()[i]);
       for (Index j = 0; j < size(); ++j) {
         m_linking[i][j] = m_component[i] == m_component[j] && linking_number(loop, dual_loops[j]) % 2 != 0;
       }

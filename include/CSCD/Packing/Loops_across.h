@@ -41,32 +41,38 @@ inline std::vector<Vector3> curve_off_surface(const Triangulated_surface& surfac
   return result;
 }
 
+/// A closed polygon as it is seen from one side: the third coordinate points at the viewer, and the first point is also
+/// the last one.
+struct Seen_polygon
+{
+  Seen_polygon(const std::vector<Vector3>& polygon) // NOLINT(google-explicit-constructor): callers have polygons
+  {
+    // Hardly any two edges of a mesh look parallel from there.
+    const Vector3 up = Vector3(0.531, 0.274, 0.802).normalized();
+    const Vector3 right = up.cross(Vector3::UnitX()).normalized();
+    const Vector3 ahead = up.cross(right);
+    points.reserve(polygon.size() + 1);
+    for (const Vector3& point : polygon) {
+      points.emplace_back(right.dot(point), ahead.dot(point), up.dot(point));
+    }
+    points.push_back(points.front());
+    box = Bounding_box(points);
+  }
+
+  std::vector<Vector3> points;
+  Bounding_box box;
+};
+
 /// How often two disjoint closed polygons wind around each other: the number of times that, seen from one side, `a`
 /// passes over `b`, with the sign of the direction. O(mn).
-inline int linking_number(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+inline int linking_number(const Seen_polygon& a, const Seen_polygon& b)
 {
-  // Hardly any two edges of a mesh look parallel from there.
-  const Vector3 up = Vector3(0.531, 0.274, 0.802).normalized();
-  const Vector3 right = up.cross(Vector3::UnitX()).normalized();
-  const Vector3 ahead = up.cross(right);
-  const auto view = [&](const std::vector<Vector3>& points) {
-    std::vector<Vector3> result;
-    result.reserve(points.size() + 1);
-    for (const Vector3& point : points) {
-      result.emplace_back(right.dot(point), ahead.dot(point), up.dot(point));
-    }
-    result.push_back(result.front());
-    return result;
-  };
   // Twice the area of a triangle, positive if it turns left.
   const auto turn = [](const Vector3& p, const Vector3& q, const Vector3& r) {
     return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
   };
-  const std::vector<Vector3> over = view(a);
-  const std::vector<Vector3> under = view(b);
   // The edges that are not aside of all others: few of a loop that is long compared with a separator.
-  const auto edges_near = [](const std::vector<Vector3>& others, const std::vector<Vector3>& points) {
-    const Bounding_box box(others);
+  const auto edges_near = [](const Bounding_box& box, const std::vector<Vector3>& points) {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const Vector3 aside =
@@ -77,8 +83,10 @@ inline int linking_number(const std::vector<Vector3>& a, const std::vector<Vecto
     }
     return result;
   };
-  const std::vector<std::size_t> edges_over = edges_near(under, over);
-  const std::vector<std::size_t> edges_under = edges_near(over, under);
+  const std::vector<Vector3>& over = a.points;
+  const std::vector<Vector3>& under = b.points;
+  const std::vector<std::size_t> edges_over = edges_near(b.box, over);
+  const std::vector<std::size_t> edges_under = edges_near(a.box, under);
   int result = 0;
   for (const std::size_t i : edges_over) {
     for (const std::size_t j : edges_under) {
