@@ -25,26 +25,25 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <queue>
-#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
+/// A vector with coordinates in [-1, 1] that depends on the number of the point alone. Not linearly: else the corners
+/// of a grid's squares would stay in one plane.
 inline Vector3 pseudo_random_vector(Index point)
 {
-  std::minstd_rand random(point + 1);
-  random.discard(2); // the first numbers of neighboring seeds are alike
-  Vector3 result = Vector3::Zero();
-  for (double& coordinate : result) {
-    coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
-  }
-  return result;
+  const auto coordinate = [point](Index axis) {
+    return 2 * double(scattered(point, axis)) / double(std::numeric_limits<std::uint32_t>::max()) - 1;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 /// The normal that a point at direction `edge` has if both lie on a circular arc, and the other has `normal`. On flat
