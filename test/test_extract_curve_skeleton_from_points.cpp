@@ -198,7 +198,7 @@ TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
             renamed(plain(skeletonize(CSCD::test::permuted(points, order)).skeleton), order));
 }
 
-/// With cut handles, faces without area and fragments that are flat: there rounding must not decide.
+/// Where holes are closed by faces without area, too: rounding must not decide.
 TEST(Point_skeleton, moves_with_the_points)
 {
   const Similarity motion{1.7, CSCD::test::unit({1, 2, 3}), 2, {1, 2, 3}};
