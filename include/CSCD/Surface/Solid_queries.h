@@ -89,6 +89,7 @@ public:
 
   /// The direction into the body at `nearest`, the point of the surface that is nearest to `point`. On an edge or at a
   /// vertex no single face represents the surface, so it is that between the two points, unless rounding decides it.
+  /// Zero at a face without area.
   Vector3 inward_direction(const Surface_point& nearest, const Vector3& point) const
   {
     const Vector3 way = nearest.point - point;
@@ -106,7 +107,8 @@ public:
     const Surface_point nearest = closest_point(point);
     const Vector3 through = nearest.point - point;
     const Vector3 inward = through.norm() > m_offset ? through.normalized() : inward_direction(nearest, point);
-    const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
+    const std::optional<Surface_hit> hit =
+        inward.squaredNorm() > 0 ? first_hit(nearest.point + m_offset * inward, inward) : std::nullopt;
     if (!hit) {
       return std::nullopt;
     }
