@@ -114,8 +114,11 @@ private:
   static constexpr double min_opening_length = 0.6;
   /// The cosine of the angle between the normals of the two is at least this: the border is not a window in the side.
   static constexpr double min_opening_cosine = 0.3;
-  /// A component without separators is this deep behind its border, relative to the radius: it is not a sheet.
+  /// The depth of a component without separators behind an opening, relative to the radius of the border. A shallower
+  /// component is a sheet. In a deeper one, as in a ball with a hole of less than half its radius, the border is that of
+  /// a hole in the wall.
   static constexpr double min_depth = 1.5;
+  static constexpr double max_depth = 4;
   /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius.
   static constexpr double min_depth_of_node = 0.5;
   /// The node of an opening is this far inside of the border, relative to its radius.
@@ -145,7 +148,8 @@ private:
   {
     const std::vector<Index>& around = m_cut.around(piece);
     if (around.empty()) {
-      return m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
+      const double depth = m_pieces.extent(piece, border.centroid, -border.normal);
+      return depth >= min_depth * border.radius && depth <= max_depth * border.radius;
     }
     if (around.size() > 1) {
       return false;
