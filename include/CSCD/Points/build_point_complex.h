@@ -208,20 +208,21 @@ private:
   {
     constexpr int max_number_of_rounds = 2; // a third changes nothing
     const double scale = m_cloud.pose.scale();
-    for (int round = 0; round < max_number_of_rounds; ++round) {
-      std::vector<Vector3> projections;
+    for (int round = 0; round <= max_number_of_rounds; ++round) {
       const double spacing = quantile(spacings(m_neighbors), 0.5);
-      const double noise = fit_quadrics(projections) / spacing;
+      const double noise = fit_sheets() / spacing;
       m_noise = noise_height * noise * spacing;
       if (round == 0) {
         m_result.spacing = spacing / scale;
         m_result.noise = noise;
       }
-      if (noise <= max_noise || is_small()) {
+      if (noise <= max_noise || is_small() || round == max_number_of_rounds) {
         return;
       }
       m_result.is_smoothed = true;
+      std::vector<Vector3> projections;
       for (Index point = 0; point < m_points.size(); ++point) {
+        projections.push_back(fit_neighborhood(point).projection);
         m_result.points[point] += m_cloud.pose.turn_back(projections[point] - m_points[point]) / scale;
       }
       m_points = std::move(projections);
@@ -229,16 +230,24 @@ private:
     }
   }
 
-  /// Fits quadrics to the neighborhoods, and projects the points to them. \return the noise
-  double fit_quadrics(std::vector<Vector3>& projections) const
+  /// Fits a quadric to the sheet of each point. \return the noise: where a wall is so thin that neighbors are on both
+  /// of its sides, a quadric through all of them would deviate without noise
+  double fit_sheets()
   {
+    m_fits.clear();
+    Sheet_fitting fit(m_points, m_neighbors);
     std::vector<double> deviations;
     for (Index point = 0; point < m_points.size(); ++point) {
-      const Quadric_fit fit = fit_quadric(m_points, point, m_neighbors.neighbors(point), m_neighbors.reach(point));
-      projections.push_back(fit.projection);
-      deviations.push_back(fit.deviation);
+      m_fits.push_back(fit(point));
+      const double deviation = m_fits[point].deviation;
+      deviations.push_back(deviation > 0 ? deviation : fit_neighborhood(point).deviation);
     }
     return quantile(std::move(deviations), noise_quantile);
+  }
+
+  Quadric_fit fit_neighborhood(Index point) const
+  {
+    return fit_quadric(m_points, point, m_neighbors.neighbors(point), m_neighbors.reach(point));
   }
 
   /// Takes the convex hull of the points, if they do not lie in a plane.
@@ -259,10 +268,6 @@ private:
 
   void take_sheets()
   {
-    Sheet_fitting fit(m_points, m_neighbors);
-    for (Index point = 0; point < m_points.size(); ++point) {
-      m_fits.push_back(fit(point));
-    }
     move_points();
     take_normals();
     std::vector<std::array<Index, 3>>& triangles = m_result.triangles;

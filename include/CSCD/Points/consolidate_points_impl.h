@@ -26,12 +26,15 @@
 
 namespace CSCD::internal {
 
-/// How far points deviate from quadrics that are fitted within twice a radius, relative to the radius, at some places.
+/// How far points deviate from quadrics that are fitted around some places, within a multiple of `radius`.
 struct Cloud_probe
 {
-  double noise = 0;     ///< what most places show: the lower quartile
-  double bend = 0;      ///< what the most bent places show beyond noise: the quantile of 95 %
-  bool is_known = true; ///< whether there are points enough to tell
+  double radius = 0;
+  bool is_known = false; ///< whether there are points enough to tell
+  double quartile = 0;   ///< what most places show
+  double median = 0;
+  double greatest = 0; ///< what the most bent places show: the quantile of 95 %
+  double spread = 0;   ///< what noise alone makes of that, relative to what it makes of the median
 };
 
 /// Finds out how much a cloud can be thinned, and thins it.
@@ -81,12 +84,17 @@ private:
   static constexpr double largest_part = 0.6;
   /// The number of places that are probed, about.
   static constexpr std::size_t number_of_probes = 1000;
-  /// The points within twice the radius that show noise and bend, at least in the mean.
+  /// How far quadrics reach at these places, in the unit of the radius: as far as the neighborhoods that triangles are
+  /// chosen in.
+  static constexpr double probe_reach = 3;
+  /// The points of a quadric that show noise and bend, at least in the mean.
   static constexpr double points_of_a_probe = 14;
-  /// More points within twice the radius show nothing more.
+  /// More points of a quadric show nothing more.
   static constexpr double enough_neighbors = 80;
   /// The greatest deviation by bending, in the unit of the radius.
-  static constexpr double max_bend = 0.15;
+  static constexpr double max_bend = 0.25;
+  /// Noise that hides no bend, in the unit of the least radius.
+  static constexpr double negligible_noise = 0.1;
   /// The bend that is expected to remain where the radius shrinks by the root of two: that of animals.
   static constexpr double expected_bend = 0.7;
   /// Points are averaged if their noise in the unit of the radius exceeds this: about the bound of the triangulation.
@@ -254,20 +262,37 @@ private:
     return true;
   }
 
+  /// Takes the greatest radius at which the surface is hardly bent.
   void choose_radius()
   {
     m_area = estimate_area(m_cloud.points);
-    double number = least_number;
-    m_radius = radius_of(number);
-    Cloud_probe result = probe();
-    m_noise = result.noise;
-    double bend = result.bend;
-    while (bend > max_bend && number < greatest_number) {
-      number = std::min(greatest_number, std::sqrt(2.) * number);
-      m_radius = radius_of(number);
-      result = probe();
-      m_noise = result.is_known ? result.noise : m_noise * std::sqrt(2.);
-      bend = std::max(result.bend, expected_bend * bend); // where points are few, chance hides it
+    std::vector<Cloud_probe> probes;
+    // Where walls are thin, the greater radii reach through them at most places, and only small ones show the noise;
+    // but within less than a few times the noise, points fill space.
+    double noise = std::numeric_limits<double>::infinity();
+    const double least_noise = negligible_noise * radius_of(greatest_number);
+    bool is_known = true;
+    for (double number = least_number; number <= greatest_number || (is_known && noise > least_noise);
+         number *= std::sqrt(2.)) {
+      const Cloud_probe at = probe(radius_of(number));
+      is_known = at.is_known;
+      if (is_known && at.median < deviation_in_space * probe_reach * at.radius) {
+        noise = std::min(noise, at.median);
+      }
+      if (number <= greatest_number) {
+        probes.push_back(at);
+      }
+    }
+    double bend = 0;
+    for (const Cloud_probe& at : probes) {
+      m_radius = at.radius;
+      m_noise = at.is_known ? at.quartile / m_radius : m_noise * std::sqrt(2.);
+      const double by_noise = at.spread * noise;
+      const double own_bend = std::sqrt(std::max(0., at.greatest * at.greatest - by_noise * by_noise)) / m_radius;
+      bend = std::max(at.is_known ? own_bend : 0, expected_bend * bend); // where points are few, chance hides it
+      if (bend <= max_bend) {
+        break;
+      }
     }
   }
 
@@ -278,12 +303,13 @@ private:
     return std::max<std::size_t>(1, std::size_t(in_ball / number));
   }
 
-  /// Fits quadrics within twice the radius.
-  Cloud_probe probe() const
+  /// Fits quadrics within `probe_reach` times `radius`.
+  Cloud_probe probe(double radius) const
   {
     const std::vector<Vector3>& points = m_cloud.points;
+    const double reach = probe_reach * radius;
     const std::size_t step = std::max<std::size_t>(1, points.size() / number_of_probes);
-    Point_grid grid(2 * m_radius);
+    Point_grid grid(reach);
     std::vector<Index> centers;
     for (std::size_t point = 0; point < points.size(); point += step) {
       grid.insert(points[point]);
@@ -291,7 +317,7 @@ private:
     }
     std::vector<std::vector<Index>> neighborhoods(centers.size());
     std::size_t number_of_neighbors = 0;
-    for (std::size_t point = 0; point < points.size(); point += step_for(enough_neighbors, 2 * m_radius)) {
+    for (std::size_t point = 0; point < points.size(); point += step_for(enough_neighbors, reach)) {
       grid.for_each_near(points[point], [&](Index place, double) {
         if (centers[place] != point) {
           neighborhoods[place].push_back(Index(point));
@@ -303,21 +329,24 @@ private:
     for (Index place = 0; place < centers.size(); ++place) {
       const std::vector<Index>& around = neighborhoods[place];
       const double deviation =
-          fit_quadric(points, centers[place], {around.data(), around.data() + around.size()}, 2 * m_radius).deviation;
+          fit_quadric(points, centers[place], {around.data(), around.data() + around.size()}, reach).deviation;
       if (deviation > 0) {
-        deviations.push_back(deviation / m_radius);
+        deviations.push_back(deviation);
       }
     }
     if (deviations.empty() || double(number_of_neighbors) < points_of_a_probe * double(centers.size())) {
-      return {0, 0, false};
+      return {radius};
     }
     // Deviations by noise spread as estimates of a standard deviation do: 95 % are below the mean and 1.65 of their own
     // standard deviations. Somewhat more, as noise is not the same everywhere.
     constexpr double parameters_of_a_quadric = 6;
     const double freedom = double(number_of_neighbors) / double(centers.size()) - parameters_of_a_quadric;
-    const double by_noise = quantile(deviations, 0.5) * (1.04 + 1.9 / std::sqrt(2 * freedom));
-    const double greatest = quantile(deviations, 0.95);
-    return {quantile(deviations, 0.25), std::sqrt(std::max(0., greatest * greatest - by_noise * by_noise)), true};
+    return {radius,
+            true,
+            quantile(deviations, 0.25),
+            quantile(deviations, 0.5),
+            quantile(deviations, 0.95),
+            1.04 + 1.9 / std::sqrt(2 * freedom)};
   }
 
   /// Moves `points` to the means of the points of the cloud within the radius.

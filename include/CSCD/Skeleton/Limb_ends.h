@@ -115,8 +115,8 @@ private:
   /// The cosine of the angle between the normals of the two is at least this: the border is not a window in the side.
   static constexpr double min_opening_cosine = 0.3;
   /// The depth of a component without separators behind an opening, relative to the radius of the border. A shallower
-  /// component is a sheet. In a deeper one, as in a ball with a hole of less than half its radius, the border is that of
-  /// a hole in the wall.
+  /// component is a sheet. In a deeper one, as in a ball with a hole of less than half its radius, the border is that
+  /// of a hole in the wall.
   static constexpr double min_depth = 1.5;
   static constexpr double max_depth = 4;
   /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius.
