@@ -37,17 +37,25 @@ class Joint_placement
 {
 public:
   /// \param size of the body: the largest side of its box
-  Joint_placement(const Skeleton& skeleton, const Rooted_forest& forest, double size)
+  /// \param is_carried of each node, whether it is in a part that gets no joints
+  Joint_placement(const Skeleton& skeleton, const Rooted_forest& forest, double size,
+                  const std::vector<char>& is_carried)
       : m_skeleton(skeleton), m_spacing(relative_spacing * size), m_children(skeleton.number_of_nodes()),
-        m_is_joint(skeleton.number_of_nodes(), 0)
+        m_is_joint(skeleton.number_of_nodes(), 0), m_heir(skeleton.number_of_nodes(), no_index)
   {
-    for (const Index node : forest.order()) {
-      if (!forest.is_root(node)) {
-        m_children[forest.parent(node)].push_back(node);
+    for (auto node = forest.order().rbegin(); node != forest.order().rend(); ++node) {
+      if (forest.is_root(*node) || is_carried[*node] == 0 || !m_children[*node].empty()) {
+        m_heir[*node] = *node;
+        if (!forest.is_root(*node)) {
+          m_children[forest.parent(*node)].push_back(*node);
+        }
       }
     }
     for (const Index node : forest.order()) {
-      if (is_end(forest, node)) {
+      std::reverse(m_children[node].begin(), m_children[node].end());
+      if (m_heir[node] == no_index) {
+        m_heir[node] = m_heir[forest.parent(node)];
+      } else if (is_end(forest, node)) {
         m_is_joint[node] = 1;
         for (const Index child : m_children[node]) {
           place_along(chain_from(node, child));
@@ -59,6 +67,8 @@ public:
   bool is_joint(Index node) const { return m_is_joint[node] != 0; }
   bool is_leaf(Index node) const { return m_children[node].empty(); }
   const std::vector<Index>& children(Index node) const { return m_children[node]; }
+  /// The node itself or, in a part that gets no joints, the last one before it that is in another part.
+  Index heir(Index node) const { return m_heir[node]; }
 
 private:
   using Chain = std::vector<Index>;
@@ -110,16 +120,18 @@ private:
 
   const Skeleton& m_skeleton;
   double m_spacing;
-  std::vector<std::vector<Index>> m_children;
+  std::vector<std::vector<Index>> m_children; ///< without the nodes of parts that get no joints
   std::vector<char> m_is_joint;
+  std::vector<Index> m_heir;
 };
 
 /// Numbers joints, and finds how strongly they move points of a place on the skeleton.
 class Joint_weights
 {
 public:
-  Joint_weights(const Skeleton& skeleton, Index root, double size, const std::vector<Index>& branch_of_node)
-      : m_skeleton(skeleton), m_forest(skeleton, {root}), m_placement(skeleton, m_forest, size),
+  Joint_weights(const Skeleton& skeleton, Index root, double size, const std::vector<char>& is_carried,
+                const std::vector<Index>& branch_of_node)
+      : m_skeleton(skeleton), m_forest(skeleton, {root}), m_placement(skeleton, m_forest, size, is_carried),
         m_owner(skeleton.number_of_nodes(), no_index), m_next(skeleton.number_of_nodes(), no_index),
         m_distance(skeleton.number_of_nodes(), 0)
   {
@@ -131,6 +143,7 @@ public:
   /// \param node the node of `point`
   Rig::Influences operator()(Index node, const Vector3& point) const
   {
+    node = m_placement.heir(node);
     Index target = no_index; // the target of the nearest edge; its parent is the source
     double least = 0;
     const auto look_at = [&](Index child) {
@@ -177,7 +190,9 @@ private:
       m_joints.push_back(joint);
     }
     for (auto node = m_forest.order().rbegin(); node != m_forest.order().rend(); ++node) {
-      m_next[*node] = m_placement.is_joint(*node) ? m_next[*node] : m_next[m_placement.children(*node).front()];
+      if (m_placement.heir(*node) == *node && !m_placement.is_joint(*node)) {
+        m_next[*node] = m_next[m_placement.children(*node).front()];
+      }
     }
   }
 
@@ -348,42 +363,53 @@ struct Rig_axis
   Skeleton skeleton; ///< in one piece
   std::vector<Index> node_of_vertex;
   std::vector<Index> branch_of_node; ///< `no_index` along a spine
+  std::vector<char> is_carried;      ///< of each node, whether it is in a part that gets no joints
   Index root = no_index;
 };
 
-/// The part that is the body of a fish, the other ones being its fins and eyes: it is compact, and nearly all of the
-/// volume. No part of other shapes.
+/// For each node of `skeleton`, the number of its component.
+std::vector<Index> number_parts(const Skeleton& skeleton, Index& number_of_parts)
+{
+  Disjoint_sets sets(skeleton.number_of_nodes());
+  for (const auto& [a, b] : skeleton.edges) {
+    sets.join(a, b);
+  }
+  return sets.numbers(number_of_parts);
+}
+
+/// The part that is the body of a fish, the other ones being its fins and eyes: it is compact, not a ball, and most of
+/// the volume. No part of other shapes.
 /// \param moments of each part
 Index find_body_with_fins(const std::vector<Solid_moments>& moments)
 {
-  constexpr double min_share_of_volume = 0.9;    // fish have 0.92 to 0.98, a spider 0.89
-  constexpr double min_share_of_ellipsoid = 0.9; // fish have 0.93 to 0.97, animals with limbs at most 0.85
+  constexpr double min_share_of_volume = 0.65;    // fish have 0.66 to 0.98, people in clothes at most 0.58
+  constexpr double min_share_of_ellipsoid = 0.89; // fish have 0.89 to 0.97, animals with limbs at most 0.85
+  constexpr double max_roundness = 0.9;           // the least over the largest extent: fish have 0.34 to 0.86
   const auto volume = [](const Solid_moments& its) { return std::abs(its.volume); };
   const auto body = std::max_element(moments.begin(), moments.end(),
                                      [&](const auto& a, const auto& b) { return volume(a) < volume(b); });
   const double sum = std::accumulate(moments.begin(), moments.end(), 0.,
                                      [&](double before, const auto& its) { return before + volume(its); });
   const double share = volume(*body) / sum;
-  const bool is_found =
-      share >= min_share_of_volume && share < 1 && body->share_of_ellipsoid() >= min_share_of_ellipsoid;
-  return is_found ? Index(body - moments.begin()) : no_index;
+  if (!(share >= min_share_of_volume && share < 1 && body->share_of_ellipsoid() >= min_share_of_ellipsoid)) {
+    return no_index;
+  }
+  const std::array<double, 3> square = principal_axes(body->covariance()).values; // ascending
+  return std::sqrt(square[0] / square[2]) <= max_roundness ? Index(body - moments.begin()) : no_index;
 }
 
 /// The spine of a body with fins; nothing of other bodies.
 ///
 /// Its skeleton may lie across, as a fish may be taller than long without its tail. So the spine is straight, through
-/// the center of the body, along the principal axis of the body that all parts together are longest along. It begins at
-/// the end nearer to the center.
+/// the center of the body, along the principal axis of the body that all parts together are longest along, unless parts
+/// stick out at both of its ends, as pairs of fins or arms do. It begins at the end nearer to the center.
 std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root)
 {
-  constexpr double margin = 0.05;      // of the spine at both ends, in lengths of the body
-  constexpr Index number_of_nodes = 7; // for as many joints as a limb may have
-  Disjoint_sets sets(parts.number_of_nodes());
-  for (const auto& [a, b] : parts.edges) {
-    sets.join(a, b);
-  }
+  constexpr double margin = 0.05;       // of the spine at both ends, in lengths of the body
+  constexpr double max_overhang = 0.15; // at the end where parts stick out less, in lengths of the body
+  constexpr Index number_of_nodes = 7;  // for as many joints as a limb may have
   Index number_of_parts = 0;
-  const std::vector<Index> part = sets.numbers(number_of_parts);
+  const std::vector<Index> part = number_parts(parts, number_of_parts);
   const auto part_of = [&](Index vertex) {
     const Index node = surface.node_of_vertex[vertex];
     return node == no_index ? no_index : part[node];
@@ -414,7 +440,9 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
   const std::array<Vector3, 3> axes = principal_axes(moments[body].covariance()).vectors;
   const auto extent = [&](const Vector3& axis) {
     const auto [low, high] = range(axis, false);
-    return high - low;
+    const auto [low_of_body, high_of_body] = range(axis, true);
+    const double overhang = std::min(low_of_body - low, high - high_of_body);
+    return overhang > max_overhang * (high_of_body - low_of_body) ? 0 : high - low;
   };
   Vector3 axis = *std::max_element(axes.begin(), axes.end(),
                                    [&](const Vector3& a, const Vector3& b) { return extent(a) < extent(b); });
@@ -430,7 +458,8 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
   const auto node_at = [&](const Vector3& point) {
     return Index(std::clamp(std::round((axis.dot(point) - first) / step), 0., double(number_of_nodes - 1)));
   };
-  Rig_axis result{{}, surface.node_of_vertex, std::vector<Index>(number_of_nodes, no_index), 0};
+  Rig_axis result{
+      {}, surface.node_of_vertex, std::vector<Index>(number_of_nodes, no_index), std::vector<char>(number_of_nodes, 0)};
   // The radius of a cylinder as large and long.
   result.skeleton.radii.assign(number_of_nodes,
                                std::sqrt(std::abs(volume) / (boost::math::double_constants::pi * length)));
@@ -449,10 +478,34 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
   return result;
 }
 
-/// The skeleton itself, its components joined.
-Rig_axis axis_of_limbs(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root)
+/// For each node, whether its part is small and thin, such as a strand of hair, a button or a belt. Such parts move
+/// with the part that they are joined to.
+std::vector<char> nodes_of_small_parts(const Skeleton& parts, double size)
 {
-  Rig_axis result{parts, surface.node_of_vertex, measure_branches(parts).branch_of_node, 0};
+  constexpr double max_radius = 0.02; // relative to the size, as are diagonals of boxes around parts:
+  constexpr double max_diagonal = 0.3;
+  Index number_of_parts = 0;
+  const std::vector<Index> part = number_parts(parts, number_of_parts);
+  std::vector<Bounding_box> boxes(number_of_parts);
+  std::vector<double> radii(number_of_parts, 0);
+  for (Index node = 0; node < part.size(); ++node) {
+    boxes[part[node]].extend(parts.points[node]);
+    radii[part[node]] = std::max(radii[part[node]], parts.radii[node]);
+  }
+  std::vector<char> result;
+  for (const Index its : part) {
+    const bool is_small =
+        radii[its] < max_radius * size && boxes[its].diagonal() + 2 * radii[its] < max_diagonal * size;
+    result.push_back(is_small ? 1 : 0);
+  }
+  return result;
+}
+
+/// The skeleton itself, its components joined.
+Rig_axis axis_of_limbs(const Skeleton& parts, const Assigned_surface& surface, double size, std::optional<Index> root)
+{
+  Rig_axis result{parts, surface.node_of_vertex, measure_branches(parts).branch_of_node,
+                  nodes_of_small_parts(parts, size)};
   Simplification_parameters parameters;
   parameters.joins_components = true;
   simplify_skeleton(result.skeleton, parameters, nullptr);
@@ -466,12 +519,13 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 {
   CGAL_precondition(parts.number_of_nodes() > 0 && parts.has_radii());
   constexpr double spread = 0.25; // in mean radii: seams vanish, and weights keep to their limbs
+  const double size = size_of(surface.points);
   std::optional<Rig_axis> axis = find_spine(parts, surface, root);
   if (!axis) {
-    axis = axis_of_limbs(parts, surface, root);
+    axis = axis_of_limbs(parts, surface, size, root);
   }
   const Skeleton& skeleton = axis->skeleton;
-  const Joint_weights weights(skeleton, axis->root, size_of(surface.points), axis->branch_of_node);
+  const Joint_weights weights(skeleton, axis->root, size, axis->is_carried, axis->branch_of_node);
   Rig rig{weights.joints(), {}};
   rig.influences.reserve(surface.points.size());
   double sum_of_radii = 0;

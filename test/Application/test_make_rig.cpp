@@ -152,7 +152,9 @@ TEST(Make_rig, a_body_with_fins_has_a_spine)
         return Triple{p[0] < 0 ? p[0] : 1.5 * p[0], p[1], p[2]};
       });
   const CSCD::test::Shape fin = ellipsoid({1.5, 0.1, 0.5}, 2);
-  const CSCD::test::Shape whole = merged("fish", {body, translated(fin, {6, 0, 0}), translated(fin, {7, 0, 2})});
+  const CSCD::test::Shape high = ellipsoid({0.5, 0.1, 1.5}, 2); // fins above and below: longest across
+  const CSCD::test::Shape whole = merged("fish", {body, translated(fin, {6, 0, 0}), translated(fin, {7, 0, 2}),
+                                                  translated(high, {0, 0, 5}), translated(high, {0, 0, -5})});
   const auto turn = [](const Triple& p, double cosine, double sine) {
     return Triple{cosine * p[0] - sine * p[2], p[1], sine * p[0] + cosine * p[2]};
   };
@@ -171,6 +173,25 @@ TEST(Make_rig, a_body_with_fins_has_a_spine)
   }
   EXPECT_NE("spine_0", name(Rigged_shape(merged("two", {body, translated(body, {9, 0, 0})})).rig.joints[0]));
   EXPECT_NE("spine_0", name(Rigged_shape(body).rig.joints[0]));
+  const CSCD::test::Shape ball = ellipsoid({3, 3, 3}, 3);
+  EXPECT_NE("spine_0", name(Rigged_shape(merged("robot", {ball, translated(fin, {4, 0, 0})})).rig.joints[0]));
+}
+
+TEST(Make_rig, small_thin_parts_move_with_the_body)
+{
+  const CSCD::test::Shape tube = CSCD::test::bent_tube(5, CSCD::test::pi / 2, 0.7, 20);
+  const auto rig_with_strand = [&](double radius) {
+    const CSCD::test::Shape strand = translated(CSCD::test::capsule(1, radius, 8), {3, 3.5, 0.8 + radius});
+    return Rigged_shape(CSCD::test::merged("tube and strand", {tube, strand})).rig;
+  };
+  const auto is_in_strand = [](const CSCD::Rig_joint& joint) { return joint.point.z() > 0.5; };
+  const CSCD::Rig thin = rig_with_strand(0.05);
+  EXPECT_EQ(0, std::count_if(thin.joints.begin(), thin.joints.end(), is_in_strand));
+  for (const CSCD::Rig_influence& influence : thin.influences.back()) {
+    EXPECT_TRUE(influence.weight == 0 || (thin.joints[influence.joint].point - CSCD::Vector3(3.5, 3.5, 0)).norm() < 3);
+  }
+  const CSCD::Rig thick = rig_with_strand(0.3);
+  EXPECT_LT(2, std::count_if(thick.joints.begin(), thick.joints.end(), is_in_strand));
 }
 
 TEST(Make_rig, has_joints_at_even_distances_along_a_limb)
