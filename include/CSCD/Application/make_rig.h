@@ -75,9 +75,9 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 /// Components that are small and thin, such as strands of hair, buttons and belts, get no joints and move with the one
 /// that they are joined to: of a radius below 0.02 and in a box of a diagonal below 0.3 of the size of the body.
 ///
-/// Where one of several components holds two thirds of the volume and nine tenths of an ellipsoid, as the body of a fish
-/// with fins and eyes, and is not a ball, there are seven joints on a straight spine: through its center, along the
-/// principal axis that all components together are longest along and do not stick out at both ends of.
+/// Where one of several components holds two thirds of the volume and nine tenths of an ellipsoid, as the body of a
+/// fish with fins and eyes, and is not a ball, there are seven joints on a straight spine: through its center, along
+/// the principal axis that all components together are longest along and do not stick out at both ends of.
 ///
 /// A vertex is moved by the joint before its place on the skeleton, which is the point of the edges at its node that is
 /// nearest to it. Up to one radius before and after a joint, the weights go over from one joint to the other by a cubic
