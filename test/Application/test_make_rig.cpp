@@ -13,6 +13,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -232,6 +233,25 @@ TEST(Make_rig, bending_a_joint_of_a_bent_tube_moves_what_is_behind_it)
     }
   }
   EXPECT_GE(number_of_bends, 2u) << "an arc is no straight bone";
+}
+
+TEST(Make_rig, a_limb_bent_by_a_right_angle_keeps_its_volume)
+{
+  const CSCD::test::Shape tube = CSCD::test::capsule(10, 1, 32);
+  const Rigged_shape any(tube);
+  const Rigged_shape limb(tube, CSCD::find_roots(any.skeleton, CSCD::Root_rule::longest).front());
+  const std::size_t joint = limb.rig.joints.size() / 2;
+  const CSCD::Vector3 center = limb.rig.joints[joint].point;
+  Rig_mesh bent = limb.mesh;
+  for (const auto v : bent.vertices()) {
+    const auto p = bent.point(v);
+    const double x = p.x() - center.x();
+    const double z = p.z() - center.z();
+    const double share = limb.share(joint, v);
+    bent.point(v) = {p.x() + share * (z - x), p.y(), p.z() - share * (x + z)};
+  }
+  const auto volume = [](const Rig_mesh& mesh) { return CGAL::Polygon_mesh_processing::volume(mesh); };
+  EXPECT_NEAR(1, volume(bent) / volume(limb.mesh), 0.05);
 }
 
 TEST(Make_rig, each_limb_of_a_star_has_a_joint_that_moves_it_alone)
