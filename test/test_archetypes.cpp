@@ -31,18 +31,10 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::Triangulated_solid;
-using CSCD::Vector3;
-using CSCD::test::Input_descriptor_archetype;
-using CSCD::test::Point_archetype;
-using CSCD::test::Policies_archetype;
-using CSCD::test::Shape_solid;
-using CSCD::test::Skeletonization_traits_archetype;
-using CSCD::test::Surface_archetype;
-using CSCD::test::Triangle_mesh_archetype;
-using CSCD::test::Vertex_point_map_archetype;
-using CSCD::test::Visitor_archetype;
+using CSCD::Index, CSCD::Triangulated_solid, CSCD::Vector3, CSCD::test::Input_descriptor_archetype,
+    CSCD::test::Point_archetype, CSCD::test::Policies_archetype, CSCD::test::Shape_solid,
+    CSCD::test::Skeletonization_traits_archetype, CSCD::test::Surface_archetype, CSCD::test::Triangle_mesh_archetype,
+    CSCD::test::Vertex_point_map_archetype, CSCD::test::Visitor_archetype;
 using Skeleton_archetype = CSCD::test::Skeleton_archetype<Point_archetype, Input_descriptor_archetype>;
 using Mesh_skeleton_archetype = CSCD::test::Skeleton_archetype<Point_archetype, Triangle_mesh_archetype::Vertex>;
 

@@ -39,14 +39,8 @@ using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Points = std::vector<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
-using CSCD::test::mean_distance;
-using CSCD::test::plain;
-using CSCD::test::Plain_skeleton;
-using CSCD::test::renamed;
-using CSCD::test::Shape;
-using CSCD::test::Shape_maker;
-using CSCD::test::Similarity;
-using CSCD::test::Triple;
+using CSCD::test::mean_distance, CSCD::test::plain, CSCD::test::Plain_skeleton, CSCD::test::renamed, CSCD::test::Shape,
+    CSCD::test::Shape_maker, CSCD::test::Similarity, CSCD::test::Triple;
 using CSCD::test::operator*;
 
 Points to_points(const std::vector<Triple>& triples)

@@ -24,13 +24,8 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Skeleton = CSCD::Skeleton_graph<Mesh::Point, Mesh::Vertex_index>;
-using CSCD::Border_treatment;
-using CSCD::test::Plain_skeleton;
-using CSCD::test::Shape;
-using CSCD::test::Sheet_shape;
-using CSCD::test::Similarity;
-using CSCD::test::Triple;
-using CSCD::test::Violations;
+using CSCD::Border_treatment, CSCD::test::Plain_skeleton, CSCD::test::Shape, CSCD::test::Sheet_shape,
+    CSCD::test::Similarity, CSCD::test::Triple, CSCD::test::Violations;
 using CSCD::test::operator*;
 using CSCD::test::operator+;
 using CSCD::test::operator-;

@@ -20,14 +20,8 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::no_index;
-using CSCD::Triangulated_surface;
-using CSCD::Vector3;
-using CSCD::Vertex_fan_table;
-using CSCD::internal::Front_end;
-using CSCD::internal::Geodesic_polar_coordinates;
-using CSCD::test::pi;
+using CSCD::Index, CSCD::no_index, CSCD::Triangulated_surface, CSCD::Vector3, CSCD::Vertex_fan_table,
+    CSCD::internal::Front_end, CSCD::internal::Geodesic_polar_coordinates, CSCD::test::pi;
 
 constexpr std::size_t no_cap = std::numeric_limits<std::size_t>::max();
 

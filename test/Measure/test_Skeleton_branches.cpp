@@ -34,13 +34,8 @@
 
 namespace {
 
-using CSCD::Branch_end;
-using CSCD::Index;
-using CSCD::Root_rule;
-using CSCD::Skeleton_branch;
-using CSCD::Skeleton_branches;
-using CSCD::test::pi;
-using CSCD::test::to_graph;
+using CSCD::Branch_end, CSCD::Index, CSCD::Root_rule, CSCD::Skeleton_branch, CSCD::Skeleton_branches, CSCD::test::pi,
+    CSCD::test::to_graph;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;

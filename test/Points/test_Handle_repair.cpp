@@ -19,12 +19,8 @@
 
 namespace {
 
-using CSCD::Halfedge_pairing;
-using CSCD::Index;
-using CSCD::Indexed_triangles;
-using CSCD::Triangulated_surface;
-using CSCD::Vertex_loop;
-using CSCD::test::Shape;
+using CSCD::Halfedge_pairing, CSCD::Index, CSCD::Indexed_triangles, CSCD::Triangulated_surface, CSCD::Vertex_loop,
+    CSCD::test::Shape;
 
 /// Twice the number of components less twice the genus.
 std::ptrdiff_t euler_number(const Indexed_triangles& triangles)

@@ -23,11 +23,8 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::Point_cloud;
-using CSCD::Vector3;
-using CSCD::internal::consolidate_points;
-using CSCD::internal::Consolidated_cloud;
+using CSCD::Index, CSCD::Point_cloud, CSCD::Vector3, CSCD::internal::consolidate_points,
+    CSCD::internal::Consolidated_cloud;
 
 constexpr double torus_radius = 3;
 constexpr double tube_radius = 1;

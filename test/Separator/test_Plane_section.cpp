@@ -19,11 +19,7 @@
 
 namespace {
 
-using CSCD::Edge_crossing;
-using CSCD::Index;
-using CSCD::Triangulated_surface;
-using CSCD::Vector3;
-using CSCD::internal::Plane_section;
+using CSCD::Edge_crossing, CSCD::Index, CSCD::Triangulated_surface, CSCD::Vector3, CSCD::internal::Plane_section;
 
 constexpr double any_length = std::numeric_limits<double>::max();
 

@@ -25,11 +25,7 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::Separator;
-using CSCD::Skeleton_builder;
-using CSCD::Vector3;
-using CSCD::test::Shape_solid;
+using CSCD::Index, CSCD::Separator, CSCD::Skeleton_builder, CSCD::Vector3, CSCD::test::Shape_solid;
 
 /// The separator of `crossings`, with its measures.
 Separator make_separator(const CSCD::Triangulated_surface& surface, std::vector<CSCD::Edge_crossing> crossings)

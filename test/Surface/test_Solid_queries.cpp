@@ -18,11 +18,7 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::Triangulated_surface;
-using CSCD::Vector3;
-using CSCD::internal::Solid_queries;
-using CSCD::test::to_surface;
+using CSCD::Index, CSCD::Triangulated_surface, CSCD::Vector3, CSCD::internal::Solid_queries, CSCD::test::to_surface;
 
 Vector3 random_vector(std::mt19937_64& random, double size)
 {

@@ -18,11 +18,7 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::Indexed_triangles;
-using CSCD::Triangulated_surface;
-using CSCD::Vector3;
-using CSCD::test::Shape;
+using CSCD::Index, CSCD::Indexed_triangles, CSCD::Triangulated_surface, CSCD::Vector3, CSCD::test::Shape;
 
 struct Bridged
 {

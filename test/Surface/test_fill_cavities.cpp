@@ -18,15 +18,8 @@
 
 namespace {
 
-using CSCD::Halfedge_pairing;
-using CSCD::Index;
-using CSCD::Indexed_triangles;
-using CSCD::internal::Surface_components;
-using CSCD::test::reversed;
-using CSCD::test::scaled;
-using CSCD::test::Shape;
-using CSCD::test::sphere;
-using CSCD::test::translated;
+using CSCD::Halfedge_pairing, CSCD::Index, CSCD::Indexed_triangles, CSCD::internal::Surface_components,
+    CSCD::test::reversed, CSCD::test::scaled, CSCD::test::Shape, CSCD::test::sphere, CSCD::test::translated;
 
 /// One character for each component of `parts`, which are joined in this order: 1 for a cavity.
 std::string cavities_of(const std::vector<Shape>& parts)

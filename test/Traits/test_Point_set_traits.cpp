@@ -45,11 +45,8 @@ using Traits = CSCD::Point_set_traits<Points>;
 using Policies = CSCD::Published_policies;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
 using Skeleton = Skeletonization::Skeleton;
-using CSCD::test::Plain_skeleton;
-using CSCD::test::Shape;
-using CSCD::test::Shape_maker;
-using CSCD::test::Similarity;
-using CSCD::test::Triple;
+using CSCD::test::Plain_skeleton, CSCD::test::Shape, CSCD::test::Shape_maker, CSCD::test::Similarity,
+    CSCD::test::Triple;
 
 constexpr std::size_t number_of_points = 3000;
 constexpr std::size_t number_of_sources = 160;
