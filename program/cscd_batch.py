@@ -28,8 +28,9 @@ import sys
 import threading
 import time
 
-COUNTS = ("number_of_sites", "number_of_nodes", "number_of_edges", "number_of_skeleton_components", "betti_number",
-          "number_of_tips", "number_of_junctions")  # members of the report
+COUNTS = ("number_of_sites", "number_of_surface_components", "genus", "number_of_nodes", "number_of_edges",
+          "number_of_skeleton_components", "betti_number", "number_of_tips", "number_of_junctions",
+          "number_of_nodes_outside", "number_of_edges_outside")  # members of the report
 COLUMNS = ("input", "status", *COUNTS, "seconds", "megabytes", "message")
 FINISHED = ("done", "failed")  # not tried again by --resume
 OUTPUT_OPTIONS = ("-o", "--output", "--branches", "--nodes", "--cylinders", "--correspondence")

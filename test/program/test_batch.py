@@ -62,7 +62,7 @@ class Test_batch(unittest.TestCase):
         result = {row["input"]: row for row in rows}
         self.assertEqual(len(rows), len(result))
         for row in rows:
-            self.assertEqual(12, len(row))
+            self.assertEqual(16, len(row))
             self.assertNotIn(None, row.values())
         return result
 
@@ -89,7 +89,8 @@ class Test_batch(unittest.TestCase):
         manifest = self.rows("out/manifest.csv")
         self.assertEqual(["a.off", "b.off", "c.off", "d.off"], sorted(manifest))
         done = manifest["a.off"]
-        self.assertEqual(("done", "360", "1"), (done["status"], done["number_of_sites"], done["betti_number"]))
+        self.assertEqual(("done", "360", "1", "1", "0"), tuple(done[column] for column in (
+            "status", "number_of_sites", "genus", "betti_number", "number_of_edges_outside")))
         self.assertEqual(done["number_of_nodes"], done["number_of_edges"])  # of a cycle
         self.assertLess(0, float(done["seconds"]))
         self.assertLess(1, float(done["megabytes"]))
