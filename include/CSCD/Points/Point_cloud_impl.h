@@ -78,7 +78,7 @@ CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector3>& points)
 {
   const double size = double(points.size());
   // All terms, which are less than 64, are rounded such that their sums are exact: whatever their order.
-  const double shift = std::ldexp(48., int(std::ceil(std::log2(size))));
+  const double shift = std::ldexp(96., std::ilogb(size));
   Eigen::Array3d sum = Eigen::Array3d::Zero();
   for (const Vector3& point : points) {
     sum += (internal::to_eigen(point).array() + shift) - shift;
