@@ -153,7 +153,7 @@ TEST(Make_rig, a_body_with_fins_has_a_spine)
         return Triple{p[0] < 0 ? p[0] : 1.5 * p[0], p[1], p[2]};
       });
   const CSCD::test::Shape fin = ellipsoid({1.5, 0.1, 0.5}, 2);
-  const CSCD::test::Shape high = ellipsoid({0.5, 0.1, 1.5}, 2); // fins above and below: longest across
+  const CSCD::test::Shape high = ellipsoid({0.5, 1.5, 1.5}, 2); // thick fins above and below: longest across
   const CSCD::test::Shape whole = merged("fish", {body, translated(fin, {6, 0, 0}), translated(fin, {7, 0, 2}),
                                                   translated(high, {0, 0, 5}), translated(high, {0, 0, -5})});
   const auto turn = [](const Triple& p, double cosine, double sine) {
