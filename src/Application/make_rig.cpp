@@ -79,6 +79,8 @@ private:
   static constexpr double max_number_of_parts = 6;
   /// Where the first joint of a limb is, in radii of the junction that the limb begins at.
   static constexpr double start_over_radius = 0.25;
+  /// A node that is nearer to a joint's place, relative to the length of the limb, is at it.
+  static constexpr double rounding = 1e-9;
 
   /// Whether chains begin or end at `node`.
   bool is_end(const Rooted_forest& forest, Index node) const
@@ -112,7 +114,7 @@ private:
     const double length = distance.back() - margin(chain.back()) - first;
     const double number_of_parts = std::clamp(std::round(length / m_spacing), 1., max_number_of_parts);
     for (int part = first > 0 ? 0 : 1; part < number_of_parts; ++part) {
-      const double place = first + part / number_of_parts * length;
+      const double place = first + (part / number_of_parts - rounding) * length;
       const auto next = std::lower_bound(distance.begin() + 1, distance.end() - 1, place);
       m_is_joint[chain[std::size_t(next - distance.begin())]] = 1;
     }

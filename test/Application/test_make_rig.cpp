@@ -172,6 +172,9 @@ TEST(Make_rig, a_body_with_fins_has_a_spine)
   for (const CSCD::Rig::Influences& influences : fish.rig.influences) {
     EXPECT_NEAR(1, influences[0].weight + influences[1].weight + influences[2].weight + influences[3].weight, 1e-12);
   }
+  for (const double size : {0.3, 0.7, 1.1, 1.7}) {
+    EXPECT_EQ(7u, Rigged_shape(CSCD::test::scaled(whole, size)).rig.joints.size()) << "whatever rounding does";
+  }
   EXPECT_NE("spine_0", name(Rigged_shape(merged("two", {body, translated(body, {9, 0, 0})})).rig.joints[0]));
   EXPECT_NE("spine_0", name(Rigged_shape(body).rig.joints[0]));
   const CSCD::test::Shape ball = ellipsoid({3, 3, 3}, 3);
