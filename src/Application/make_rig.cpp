@@ -384,7 +384,7 @@ std::vector<Index> number_parts(const Skeleton& skeleton, Index& number_of_parts
 /// \param moments of each part
 Index find_body_with_fins(const std::vector<Solid_moments>& moments)
 {
-  constexpr double min_share_of_volume = 0.65;    // fish have 0.66 to 0.98, people in clothes at most 0.58
+  constexpr double min_share_of_volume = 0.65;    // fish have 0.66 to 0.98, robots with round bodies up to 0.67
   constexpr double min_share_of_ellipsoid = 0.89; // fish have 0.89 to 0.97, animals with limbs at most 0.85
   constexpr double max_roundness = 0.9;           // the least over the largest extent: fish have 0.34 to 0.86
   const auto volume = [](const Solid_moments& its) { return std::abs(its.volume); };
