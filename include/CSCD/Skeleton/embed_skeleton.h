@@ -21,10 +21,12 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/Box_tree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -62,19 +64,33 @@ inline std::vector<std::vector<Index>> nodes_of_pieces(const Cut_graph& cut_grap
 }
 
 /// For each vertex, the nearest node of its piece of the cut surface; so vertices on a limb stay with that limb,
-/// however near another one comes. Compares each vertex with all nodes of its piece.
+/// however near another one comes.
 inline std::vector<Index> assign_vertices(const Triangulated_surface& surface, const Cut_graph& cut_graph,
                                           const Skeleton_builder& graph)
 {
+  constexpr Index leaf_size = 16; // nodes; most pieces have fewer, whose distances are faster than a search
   const std::vector<std::vector<Index>> nodes_of_piece = nodes_of_pieces(cut_graph, graph);
+  std::vector<Box_tree> trees;
+  for (const std::vector<Index>& nodes : nodes_of_piece) {
+    std::vector<Bounding_box> boxes(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      boxes[i].extend(graph[nodes[i]].position);
+    }
+    trees.emplace_back(boxes, leaf_size);
+  }
   std::vector<Index> result(surface.number_of_vertices());
   for (Index vertex = 0; vertex < result.size(); ++vertex) {
-    const std::vector<Index>& nodes = nodes_of_piece[cut_graph.piece_of_vertex(vertex)];
-    const auto squared_distance = [&](Index node) {
-      return (surface.point(vertex) - graph[node].position).squaredNorm();
-    };
-    result[vertex] = *std::min_element(nodes.begin(), nodes.end(),
-                                       [&](Index a, Index b) { return squared_distance(a) < squared_distance(b); });
+    const Vector3& point = surface.point(vertex);
+    const Index piece = cut_graph.piece_of_vertex(vertex);
+    std::pair<double, Index> nearest(std::numeric_limits<double>::infinity(), no_index);
+    trees[piece].minimize([&point](const Bounding_box& box) { return box.squared_distance(point); },
+                          [&](Index i) {
+                            const Index node = nodes_of_piece[piece][i];
+                            const double squared_distance = (point - graph[node].position).squaredNorm();
+                            nearest = std::min(nearest, {squared_distance, node});
+                            return squared_distance;
+                          });
+    result[vertex] = nearest.second;
   }
   return result;
 }
