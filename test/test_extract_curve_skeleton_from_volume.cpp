@@ -80,10 +80,27 @@ TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_a_sponge)
   for (CSCD::Voxel_surface& surface : make_voxel_surfaces(volume)) {
     surface.turn_cavities();
     Volume_skeleton skeleton;
-    const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(surface, skeleton);
+    const CSCD::Skeletonization_report report =
+        CSCD::extract_curve_skeleton(surface, skeleton, CSCD::parameters::maximum_number_of_sources(100));
     EXPECT_GT(report.number_of_handle_cuts, 20U);
     EXPECT_EQ(report.betti_number, report.genus);
   }
+}
+
+TEST(extract_curve_skeleton_from_volume, has_a_branch_for_each_pin_of_a_plate)
+{
+  constexpr std::size_t number = 20; // on each side
+  constexpr std::size_t size = 8 * number;
+  CSCD::Volume volume;
+  volume.grid.size = {size, size, 50};
+  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
+    const bool is_in_pin = i % 8 < 4 && i / size % 8 < 4;
+    volume.labels.push_back(i / size / size < 10 || is_in_pin ? 1 : 0);
+  }
+  Volume_skeleton skeleton;
+  const auto report = CSCD::extract_curve_skeleton(make_voxel_surfaces(volume).front(), skeleton);
+  EXPECT_EQ(report.number_of_tips, number * number);
+  EXPECT_EQ(report.number_of_edges_outside, 0U);
 }
 
 TEST(extract_curve_skeleton_from_volume, tells_the_node_of_each_voxel)

@@ -49,13 +49,13 @@ public:
   {
   }
 
-  /// Radius of the band around a source without a cut point, as long as nothing is known of the limbs around it.
+  /// Radius of the band around a source without a cut point, as long as nothing is known of the limbs around it. Where
+  /// the levels keep more vertices than a body needs, there are many bodies or limbs.
   static float max_failure_radius(const Surface_levels& levels)
   {
-    const Triangulated_surface& surface = levels.finest().surface;
-    const double number_of_bodies =
-        levels.needs_finest() ? std::max(surface.number_of_vertices() / usual_size, 1.) : 1.;
-    return float(relative_failure_radius * std::sqrt(surface.total_area() / number_of_bodies));
+    const Surface_level& level = levels.needs_finest() ? levels.finest() : levels.coarsest();
+    const double number_of_bodies = std::max(level.surface.number_of_vertices() / usual_size, 1.);
+    return float(relative_failure_radius * std::sqrt(levels.finest().surface.total_area() / number_of_bodies));
   }
 
   /// Writes the vertices of the band of `result`, that of the search from `source`, to `band`, as vertices of the level

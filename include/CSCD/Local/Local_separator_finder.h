@@ -72,6 +72,9 @@ private:
   /// Visits on a level before the next coarser one is tried: for a loop of `min_loop_size` edges, a front visits about
   /// the square of that number; found by experiment on 27 meshes.
   static constexpr std::size_t max_visits = std::size_t(1.6 * min_loop_size * min_loop_size);
+  /// Visits on the coarsest level, which has fewer vertices unless the limbs are many; few fronts that grow larger
+  /// there find a loop.
+  static constexpr std::size_t max_visits_at_top = 2000;
   /// Where the measurement of the area on the smaller side may stop, relative to the least area.
   static constexpr double bump_limit = 1.01;
   /// A section is accepted if its length is within these bounds, relative to the loop's ...
@@ -128,10 +131,11 @@ private:
     };
     Direction direction = Direction::none;
     for (level = std::min(level_hint, m_levels.top());;) {
-      const bool is_capped = direction != Direction::finer && level < m_levels.top();
-      const internal::Front_end end =
-          trace(source, level, is_capped ? max_visits : std::numeric_limits<std::size_t>::max());
-      if (end == internal::Front_end::capped) {
+      const std::size_t visits = direction == Direction::finer ? std::numeric_limits<std::size_t>::max()
+                                 : level < m_levels.top()      ? max_visits
+                                                               : max_visits_at_top;
+      const internal::Front_end end = trace(source, level, visits);
+      if (end == internal::Front_end::capped && level < m_levels.top()) {
         ++level;
         direction = Direction::coarser;
         continue;

@@ -311,15 +311,15 @@ private:
     return std::nullopt;
   }
 
-  /// Leads the edge from `a` to `b` along the surface where it leaves the body or, where that fails, over the middle of
-  /// the body behind its first stretch outside.
+  /// Leads the edge from `a` to `b` along the surface where it leaves the body or, where that fails, straight ahead
+  /// from a branch, or over the middle of the body behind its first stretch outside.
   void route(Index a, Index b, int level = 0)
   {
     if (is_free(a, b)) {
       return;
     }
     const std::optional<Vector3> stretch = first_stretch_outside(a, b, is_outside(a));
-    if (!stretch || follow_surface(a, b) || level == max_bends) {
+    if (!stretch || follow_surface(a, b) || go_ahead(a, b) || go_ahead(b, a) || level == max_bends) {
       return;
     }
     if (const std::optional<Vector3> middle = middle_behind(*stretch, a)) {
@@ -327,6 +327,29 @@ private:
       route(a, node, level + 1);
       route(node, b, level + 1);
     }
+  }
+
+  /// Leads the edge over a point ahead of the branch that comes to `b`, if the ways there and on to `a` are free.
+  bool go_ahead(Index a, Index b)
+  {
+    if (!m_graph.is_regular(b)) {
+      return false;
+    }
+    const Vector3 here = m_graph[b].position;
+    const Vector3 there = m_graph[a].position;
+    const Vector3 ahead = (here - m_graph[m_graph.other_neighbor(b, a)].position).normalized();
+    const double length = m_graph.edge_length(a, b);
+    for (double way = m_graph[b].radius; way > 0 && way < length; way *= 2) {
+      const Vector3 point = here + way * ahead;
+      if (!is_free(here, point)) {
+        return false;
+      }
+      if (is_free(point, there)) {
+        m_graph.split_edge(a, b, point, mean_radius(a, b));
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Leads the edge along the surface, if there is a free way.

@@ -495,6 +495,9 @@ private:
   /// Of the vertices of a precise level, at most this part has bent stars. Measured at the usual size: bodies 0.001,
   /// with noise of a quarter of an edge 0.025, vessels of two to three edges around 0.2 to 0.4.
   static constexpr double max_share_of_bent_stars = 0.05;
+  /// Of the vertices of any coarser level; where it would be more, coarsening ends, as limbs would be lost. Measured:
+  /// bodies at most 0.2, a plate with hundreds of pins 0.5 and more.
+  static constexpr double max_share_on_levels = 0.3;
   /// Coarsening ends at this number of vertices: on further levels no limb is enough edges around for its front. Of 800
   /// to 6000, found on 63 odd-numbered Princeton meshes: the search takes three fifths of the time for 6000, and at 800
   /// no less, while errors grow.
@@ -531,7 +534,7 @@ private:
     std::move(*coarsening).move_to(finest_vertex, coarse_vertex);
     coarsening.reset(); // before memory is allocated for the surface
     Triangulated_surface coarse(std::move(triangles), m_number_of_threads);
-    if (coarse.has_defect()) {
+    if (coarse.has_defect() || share_of_bent_stars(coarse) > max_share_on_levels) {
       return false;
     }
     Surface_level level(std::move(coarse));
