@@ -17,8 +17,7 @@
 
 namespace {
 
-using CSCD::parameters::get_parameter;
-using CSCD::parameters::get_parameter_reference;
+using CSCD::parameters::get_parameter, CSCD::parameters::get_parameter_reference;
 namespace own = CSCD::internal_np;
 namespace cgal = CGAL::internal_np;
 

@@ -42,10 +42,7 @@ using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 using Policies = CSCD::Published_policies;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
 using Skeleton = Skeletonization::Skeleton;
-using CSCD::Skeletonization_report;
-using CSCD::test::Plain_skeleton;
-using CSCD::test::Shape;
-using CSCD::test::Shape_maker;
+using CSCD::Skeletonization_report, CSCD::test::Plain_skeleton, CSCD::test::Shape, CSCD::test::Shape_maker;
 using CSCD::test::Similarity;
 
 constexpr std::size_t number_of_sources = 200;

@@ -66,41 +66,55 @@ TEST(extract_curve_skeleton_from_volume, finds_rings_where_they_are)
   }
 }
 
+/// The report on the voxels (x, y, z) of a cuboid of `size` voxels a side and `height` layers where `is_inside(x, y,
+/// z)`.
+template <class Predicate>
+CSCD::Skeletonization_report skeletonize_voxels(std::size_t size, std::size_t height, const Predicate& is_inside,
+                                                std::size_t max_sources = 1000000)
+{
+  CSCD::Volume volume;
+  volume.grid.size = {size, size, height};
+  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
+    volume.labels.push_back(is_inside(i % size, i / size % size, i / size / size) ? 1 : 0);
+  }
+  CSCD::Voxel_surface surface = make_voxel_surfaces(volume).front();
+  surface.turn_cavities();
+  Volume_skeleton skeleton;
+  return CSCD::extract_curve_skeleton(surface, skeleton, CSCD::parameters::maximum_number_of_sources(max_sources));
+}
+
 TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_a_sponge)
 {
   // A ball below many handles of a voxel: packed separators cross all edges of a piece that has a handle.
   std::mt19937 random(2);
-  CSCD::Volume volume;
-  volume.grid.size = {20, 20, 20};
-  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
-    const CSCD::Vector3 point(double(i % 20), double(i / 20 % 20), double(i / 400));
-    const double squared_distance = (point - CSCD::Vector3::Constant(9.5)).squaredNorm();
-    volume.labels.push_back(squared_distance < 45 || (squared_distance < 90 && random() % 2 == 0) ? 1 : 0);
-  }
-  for (CSCD::Voxel_surface& surface : make_voxel_surfaces(volume)) {
-    surface.turn_cavities();
-    Volume_skeleton skeleton;
-    const CSCD::Skeletonization_report report =
-        CSCD::extract_curve_skeleton(surface, skeleton, CSCD::parameters::maximum_number_of_sources(100));
-    EXPECT_GT(report.number_of_handle_cuts, 20U);
-    EXPECT_EQ(report.betti_number, report.genus);
-  }
+  const auto is_inside = [&](std::size_t x, std::size_t y, std::size_t z) {
+    const double squared_distance = (CSCD::Vector3(x, y, z) - CSCD::Vector3::Constant(9.5)).squaredNorm();
+    return squared_distance < 45 || (squared_distance < 90 && random() % 2 == 0);
+  };
+  const CSCD::Skeletonization_report report = skeletonize_voxels(20, 20, is_inside, 100);
+  EXPECT_GT(report.number_of_handle_cuts, 20U);
+  EXPECT_EQ(report.betti_number, report.genus);
 }
 
 TEST(extract_curve_skeleton_from_volume, has_a_branch_for_each_pin_of_a_plate)
 {
-  constexpr std::size_t number = 20; // on each side
-  constexpr std::size_t size = 8 * number;
-  CSCD::Volume volume;
-  volume.grid.size = {size, size, 50};
-  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
-    const bool is_in_pin = i % 8 < 4 && i / size % 8 < 4;
-    volume.labels.push_back(i / size / size < 10 || is_in_pin ? 1 : 0);
-  }
-  Volume_skeleton skeleton;
-  const auto report = CSCD::extract_curve_skeleton(make_voxel_surfaces(volume).front(), skeleton);
-  EXPECT_EQ(report.number_of_tips, number * number);
+  const auto is_inside = [](std::size_t x, std::size_t y, std::size_t z) { return z < 10 || (x % 8 < 4 && y % 8 < 4); };
+  const CSCD::Skeletonization_report report = skeletonize_voxels(160, 50, is_inside);
+  EXPECT_EQ(report.number_of_tips, 400U);
   EXPECT_EQ(report.number_of_edges_outside, 0U);
+}
+
+TEST(extract_curve_skeleton_from_volume, leads_edges_between_many_tunnels)
+{
+  const auto is_in_tunnel = [](std::size_t a, std::size_t b) {
+    return a % 20 / 4 == (b / 20) % 5 && b % 20 / 4 == (a / 20) % 5;
+  };
+  const CSCD::Skeletonization_report report =
+      skeletonize_voxels(100, 100, [&](std::size_t x, std::size_t y, std::size_t z) {
+        return !is_in_tunnel(x, y) && !is_in_tunnel(y, z) && !is_in_tunnel(z, x);
+      });
+  EXPECT_EQ(report.betti_number, report.genus);
+  EXPECT_LE(report.number_of_edges_outside, report.number_of_edges / 500);
 }
 
 TEST(extract_curve_skeleton_from_volume, tells_the_node_of_each_voxel)

@@ -29,8 +29,7 @@
 
 namespace {
 
-using CSCD::Loop_kind;
-using CSCD::test::pi;
+using CSCD::Loop_kind, CSCD::test::pi;
 using Loop_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Mesh_loop = CSCD::Surface_loop<Loop_mesh::Point>;
 using Polygon = std::vector<CSCD::Vector3>;

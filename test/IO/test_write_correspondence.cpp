@@ -22,10 +22,7 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::no_index;
-using CSCD::Vector3;
-using CSCD::Vertex_label;
+using CSCD::Index, CSCD::no_index, CSCD::Vector3, CSCD::Vertex_label;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;

@@ -42,8 +42,7 @@ using Point = Kernel::Point_3;
 using Mesh = CSCD::test::Box_mesh;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 using Separators = std::vector<std::vector<Point>>;
-using CSCD::test::box_mesh;
-using CSCD::test::fork_in_box;
+using CSCD::test::box_mesh, CSCD::test::fork_in_box;
 
 constexpr std::uint32_t none = CSCD::no_index;
 

@@ -27,10 +27,7 @@ namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
-using CSCD::compare_skeletons;
-using CSCD::Skeleton_comparison;
-using CSCD::test::to_graph;
-using CSCD::test::Triple;
+using CSCD::compare_skeletons, CSCD::Skeleton_comparison, CSCD::test::to_graph, CSCD::test::Triple;
 using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// A line of length 10 along x with three twigs of length 2 along y, moved by (x, y).

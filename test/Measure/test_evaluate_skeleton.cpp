@@ -31,8 +31,7 @@ using namespace CSCD::test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
-using CSCD::evaluate_skeleton;
-using CSCD::Skeleton_measures;
+using CSCD::evaluate_skeleton, CSCD::Skeleton_measures;
 namespace parameters = CSCD::parameters;
 
 Mesh mesh_of(const Shape& shape)

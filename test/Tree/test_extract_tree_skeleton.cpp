@@ -39,10 +39,7 @@ namespace {
 using Tree_point = CGAL::Simple_cartesian<double>::Point_3;
 using Tree_points = std::vector<Tree_point>;
 using Tree_graph = CSCD::Skeleton_graph<Tree_point, std::size_t>;
-using CSCD::test::Plain_skeleton;
-using CSCD::test::Similarity;
-using CSCD::test::Synthetic_tree;
-using CSCD::test::Tree_match;
+using CSCD::test::Plain_skeleton, CSCD::test::Similarity, CSCD::test::Synthetic_tree, CSCD::test::Tree_match;
 using CSCD::test::Triple;
 using CSCD::test::operator+;
 using CSCD::test::operator-;

@@ -19,9 +19,7 @@
 
 namespace {
 
-using CSCD::Volume;
-using CSCD::Voxel_connectivity;
-using CSCD::Voxel_surface;
+using CSCD::Volume, CSCD::Voxel_connectivity, CSCD::Voxel_surface;
 
 CSCD::Voxel_surface_settings voxel_settings(Voxel_connectivity connectivity, bool fills_cavities = false)
 {
