@@ -88,7 +88,8 @@ TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_a_sponge)
   // A ball below many handles of a voxel: packed separators cross all edges of a piece that has a handle.
   std::mt19937 random(2);
   const auto is_inside = [&](std::size_t x, std::size_t y, std::size_t z) {
-    const double squared_distance = (CSCD::Vector3(x, y, z) - CSCD::Vector3::Constant(9.5)).squaredNorm();
+    const double squared_distance =
+        (CSCD::Vector3(double(x), double(y), double(z)) - CSCD::Vector3::Constant(9.5)).squaredNorm();
     return squared_distance < 45 || (squared_distance < 90 && random() % 2 == 0);
   };
   const CSCD::Skeletonization_report report = skeletonize_voxels(20, 20, is_inside, 100);
