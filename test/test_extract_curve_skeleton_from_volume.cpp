@@ -4,6 +4,7 @@
 #include "support/Temporary_folder.h"
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
+#include <CSCD/Options.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton_from_volume.h>
 
@@ -66,11 +67,10 @@ TEST(extract_curve_skeleton_from_volume, finds_rings_where_they_are)
   }
 }
 
-/// The report on the voxels (x, y, z) of a cuboid of `size` voxels a side and `height` layers where `is_inside(x, y,
-/// z)`.
+/// The report on the voxels where `is_inside(x, y, z)`, of `height` layers that are `size` voxels wide and long.
 template <class Predicate>
 CSCD::Skeletonization_report skeletonize_voxels(std::size_t size, std::size_t height, const Predicate& is_inside,
-                                                std::size_t max_sources = 1000000)
+                                                std::size_t max_sources = CSCD::Options().maximum_number_of_sources)
 {
   CSCD::Volume volume;
   volume.grid.size = {size, size, height};

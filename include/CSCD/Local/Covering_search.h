@@ -53,8 +53,8 @@ public:
   /// the levels keep more vertices than a body needs, there are many bodies or limbs.
   static float max_failure_radius(const Surface_levels& levels)
   {
-    const Surface_level& level = levels.needs_finest() ? levels.finest() : levels.coarsest();
-    const double number_of_bodies = std::max(level.surface.number_of_vertices() / usual_size, 1.);
+    const Surface_level& level = levels[levels.finest_with_at_most(usual_size)];
+    const double number_of_bodies = std::max(double(level.surface.number_of_vertices()) / usual_size, 1.);
     return float(relative_failure_radius * std::sqrt(levels.finest().surface.total_area() / number_of_bodies));
   }
 
@@ -86,7 +86,7 @@ private:
   /// `max_failure_radius()`, relative to the square root of the surface's area.
   static constexpr double relative_failure_radius = 0.05;
   /// Vertices of a body that the failure radius suits.
-  static constexpr double usual_size = 2000;
+  static constexpr Index usual_size = 2000;
 
   void grow_around_separator(const Separator& separator, std::vector<Index>& band)
   {

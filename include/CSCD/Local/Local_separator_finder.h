@@ -131,11 +131,11 @@ private:
     };
     Direction direction = Direction::none;
     for (level = std::min(level_hint, m_levels.top());;) {
-      const std::size_t visits = direction == Direction::finer ? std::numeric_limits<std::size_t>::max()
-                                 : level < m_levels.top()      ? max_visits
-                                                               : max_visits_at_top;
-      const internal::Front_end end = trace(source, level, visits);
-      if (end == internal::Front_end::capped && level < m_levels.top()) {
+      const bool is_top = level == m_levels.top();
+      const std::size_t cap = is_top ? max_visits_at_top : max_visits;
+      const internal::Front_end end =
+          trace(source, level, direction == Direction::finer ? std::numeric_limits<std::size_t>::max() : cap);
+      if (end == internal::Front_end::capped && !is_top) {
         ++level;
         direction = Direction::coarser;
         continue;

@@ -442,7 +442,7 @@ private:
 class Surface_levels
 {
 public:
-  /// Coarsens `finest` until a level has at most `coarsest_size` vertices. Linear.
+  /// Coarsens `finest` until a level has at most `coarsest_size` vertices, or the next one would lose limbs. Linear.
   /// \param number_of_threads 0 for as many as TBB allows; the levels are the same for any number
   /// \param needs_finest whether coarser levels lose limbs, so that none is a substitute for the finest one
   explicit Surface_levels(Triangulated_surface&& finest, unsigned number_of_threads = 1, bool needs_finest = false)
@@ -468,8 +468,6 @@ public:
   /// The index of the coarsest level.
   Index top() const { return size() - 1; }
 
-  /// Whether coarser levels lose limbs.
-  bool needs_finest() const { return m_needs_finest; }
   /// The index of the finest level that has at most `limit` vertices, or of the coarsest; of the finest if limbs need
   /// it.
   Index finest_with_at_most(Index limit) const
