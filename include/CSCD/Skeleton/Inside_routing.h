@@ -319,7 +319,11 @@ private:
       return;
     }
     const std::optional<Vector3> stretch = first_stretch_outside(a, b, is_outside(a));
-    if (!stretch || follow_surface(a, b) || go_ahead(a, b) || go_ahead(b, a) || level == max_bends) {
+    if (!stretch) {
+      return;
+    }
+    const bool is_in_body = !m_graph[a].is_on_sheet && !m_graph[b].is_on_sheet && !is_outside(a) && !is_outside(b);
+    if ((is_in_body && (follow_surface(a, b) || go_ahead(a, b) || go_ahead(b, a))) || level == max_bends) {
       return;
     }
     if (const std::optional<Vector3> middle = middle_behind(*stretch, a)) {
@@ -330,6 +334,7 @@ private:
   }
 
   /// Leads the edge over a point ahead of the branch that comes to `b`, if the ways there and on to `a` are free.
+  /// \pre its ends are inside
   bool go_ahead(Index a, Index b)
   {
     if (!m_graph.is_regular(b)) {
@@ -352,13 +357,10 @@ private:
     return false;
   }
 
-  /// Leads the edge along the surface, if there is a free way.
+  /// Leads the edge along the surface, if there is a free way. \pre its ends are inside
   bool follow_surface([[maybe_unused]] Index a, [[maybe_unused]] Index b)
   {
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-      if (m_graph[a].is_on_sheet || m_graph[b].is_on_sheet || is_outside(a) || is_outside(b)) {
-        return false;
-      }
       if (!m_way) {
         m_way.emplace(m_surface);
       }
