@@ -32,8 +32,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits>;
 using Skeleton = Skeletonization::Skeleton;
-using CSCD::Default_skeletonization_visitor;
-using CSCD::Local_policies;
+using CSCD::Default_skeletonization_visitor, CSCD::Local_policies;
 
 static_assert(std::is_constructible_v<Skeletonization, const Traits&>);
 static_assert(std::is_constructible_v<Skeletonization, Traits&, Local_policies, Default_skeletonization_visitor>);

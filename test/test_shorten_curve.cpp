@@ -23,8 +23,7 @@
 
 namespace {
 
-using CSCD::Shortening_outcome;
-using CSCD::test::pi;
+using CSCD::Shortening_outcome, CSCD::test::pi;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;

@@ -24,8 +24,7 @@
 namespace {
 
 using namespace test_support;
-using CSCD::Vector3;
-using CSCD::Volume;
+using CSCD::Vector3, CSCD::Volume;
 
 const std::vector<std::uint16_t> voxel_values{0, 1, 2, 3, 4, 500, 0, 0, 7, 8, 0, 65535}; // 3 x 2 x 2
 const CSCD::Voxel_selection each_label{std::nullopt, std::nullopt, true};

@@ -26,8 +26,7 @@ namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
-using CSCD::test::Bytes;
-using CSCD::test::fail;
+using CSCD::test::Bytes, CSCD::test::fail;
 
 /// Bits of the first byte.
 enum Use : unsigned

@@ -37,8 +37,7 @@ using Point = Kernel::Point_3;
 using Mesh = CSCD::test::Box_mesh;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 using Separators = std::vector<std::vector<Point>>;
-using CSCD::test::box_mesh;
-using CSCD::test::fork_in_box;
+using CSCD::test::box_mesh, CSCD::test::fork_in_box;
 
 class Page_in_chromium : public testing::Test
 {

@@ -31,8 +31,7 @@
 namespace {
 
 using namespace test_support;
-using CSCD::test::Shape;
-using CSCD::test::Triple;
+using CSCD::test::Shape, CSCD::test::Triple;
 
 /// Whether `text` holds a graph of GEL of one cycle.
 bool is_graph_of_a_cycle(const std::string& text)
