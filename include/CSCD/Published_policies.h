@@ -114,9 +114,9 @@ Published_policies::Packing Published_policies::pack_separators(const Surface& s
   std::vector<Index> packed = Packing::pack(surface, separators, m_settings, report);
   if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
     if (m_settings.placement_rule == Placement_rule::sections) {
-      auto packing = std::make_unique<internal::Separator_packing>(surface.triangulation(), separators, packed);
+      internal::Separator_packing packing(surface.triangulation(), separators, packed);
       internal::cut_handles(surface, separators, packing, report);
-      return Packing(*packing);
+      return Packing(packing);
     }
   }
   return Packing(surface, separators, std::move(packed), m_settings.overlap_rule);

@@ -363,26 +363,27 @@ private:
   /// Adds loops that are a basis of the homology of each component, from one root, and from roots on these.
   void add_basis_loops()
   {
-    const Separator_arrangement nothing(m_surface);
-    Handle_loops handle_loops(m_surface, nothing);
+    Handle_loops handle_loops(m_surface);
     std::size_t roots_left = max_visits / m_surface.number_of_vertices();
-    Index last_component = no_index;
-    for (Index root = 0; root < m_surface.number_of_vertices(); ++root) {
-      if (m_solid.component(root) == last_component) {
-        continue;
-      }
-      last_component = m_solid.component(root);
-      for (const Vertex_loop& rough_loop : handle_loops(root)) {
-        add_candidate(halfedges_along(rough_loop));
-        if (roots_left > 0) {
-          --roots_left;
-          const std::vector<Vertex_loop> loops = handle_loops(rough_loop.front()); // the shortest first
-          for (std::size_t i = 0; i < std::min(loops.size(), max_loops_per_root); ++i) {
-            add_candidate(halfedges_along(loops[i]));
-          }
+    for (const Handle_loops::Loop& rough_loop : handle_loops.of_all_pieces()) {
+      add_candidate(halfedges_along(rough_loop));
+      if (roots_left > 0) {
+        --roots_left;
+        const std::vector<Handle_loops::Loop> loops = handle_loops(rough_loop.begin); // the shortest first
+        for (std::size_t i = 0; i < std::min(loops.size(), max_loops_per_root); ++i) {
+          add_candidate(halfedges_along(loops[i]));
         }
       }
     }
+  }
+
+  static std::vector<Index> halfedges_along(const Handle_loops::Loop& loop)
+  {
+    std::vector<Index> result;
+    for (const Edge_crossing& step : loop.crossings) {
+      result.push_back(step.halfedge);
+    }
+    return result;
   }
 
   std::vector<Vector3> points(const Candidate& candidate) const

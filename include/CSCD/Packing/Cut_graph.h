@@ -112,6 +112,26 @@ public:
     return result;
   }
 
+  /// Moves points at the same position of an edge apart, in their order, so that there is room between them.
+  /// O(m log m).
+  void spread_points()
+  {
+    const std::vector<Index> order = points_along_edges();
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < order.size(); begin = end) {
+      const auto [edge, position, separator, rank] = m_points[order[begin]];
+      end = begin + 1;
+      while (end < order.size() && m_points[order[end]].edge == edge && m_points[order[end]].position == position) {
+        ++end;
+      }
+      const bool is_last = end == order.size() || m_points[order[end]].edge != edge;
+      const double room = (is_last ? 1 : m_points[order[end]].position) - position;
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        m_points[order[i]].position += room * double(i - begin) / double(end - begin);
+      }
+    }
+  }
+
   /// Whether point `a` comes before point `b` on the way around `face`.
   bool is_before(Index a, Index b, Index face) const
   {

@@ -252,6 +252,8 @@ public:
   /// The packed separators, as positions in the list of all separators, in the order of packing.
   const std::vector<Index>& packed() const { return m_packed; }
   const Separator_arrangement& arrangement() const { return m_arrangement; }
+  /// Makes room between crossings at the same position.
+  void spread_crossings() { m_arrangement.spread_points(); }
 
 private:
   /// The centers of packed separators keep this distance, relative to the radius of the shorter one.
@@ -357,6 +359,9 @@ public:
   /// The surface cut along them.
   const Cut_graph& cut_graph() const { return *m_cut_graph; }
   const Separator_arrangement& arrangement() const { return m_disjoint.arrangement(); }
+
+  /// Makes room between crossings at the same position.
+  void spread_crossings() { m_disjoint.spread_crossings(); }
 
   /// Packs the last separator of the list, which was appended after the others had been packed, if it crosses none of
   /// them and itself neither. The cut graph stays as it is until `cut_again()`. \return whether it was packed

@@ -20,8 +20,8 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -30,148 +30,215 @@
 namespace CSCD::internal {
 
 /// Finds loops in the pieces of a cut surface that do not separate them: bases of their homology, with a disc put over
-/// each border. From a tree of shortest paths in a piece and a cotree of its faces that leaves the edges of the
-/// shortest loops to the last (Erickson and Whittlesey, "Greedy optimal homotopy and homology generators", 2005), each
-/// edge that is in neither closes one loop. The cut faces on one side of a separator, with the disc, are one face.
-/// Where two of these touch, they become one, and some loops may separate. O(n log n) for n vertices of the surface.
+/// each border. A loop goes from part to part of the faces, which separators divide, across parts of edges; so it finds
+/// the way between any separators. From a tree of shortest ways and a tree over the vertices and the borders that
+/// leaves the edge parts across the shortest loops to the last (Erickson and Whittlesey, "Greedy optimal homotopy and
+/// homology generators", 2005), each edge part that is in neither closes one loop.
 class Handle_loops
 {
 public:
-  /// Prepares to find loops on `surface` cut along the separators in `arrangement`. `surface` is referred to.
-  Handle_loops(const Triangulated_surface& surface, const Separator_arrangement& arrangement)
-      : m_surface(surface), m_border(surface.number_of_halfedges(), no_index),
-        m_regions(surface.number_of_faces() + 2 * arrangement.points().size()), m_front(surface.number_of_vertices()),
-        m_parent(surface.number_of_vertices())
+  /// A simple loop.
+  struct Loop
   {
-    const auto border = [&](Index point, bool is_left) {
-      return surface.number_of_faces() + 2 * point + Index(is_left);
-    };
-    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
-      m_regions.join(border(chord.begin, false), border(chord.end, false));
-      m_regions.join(border(chord.begin, true), border(chord.end, true));
-    }
-    // Two chords that bound one part of a face have ends next to each other on an edge.
-    Index last = no_index; // the edge of the last point
-    for (const Index point : arrangement.points_along_edges()) {
-      const Index edge = arrangement.points()[point].edge;
-      const bool is_reversed = arrangement.leaves_reversed(point);
-      if (edge != last) {
-        m_border[edge] = border(point, is_reversed);
-      } else {
-        m_regions.join(m_border[surface.twin(edge)], border(point, is_reversed));
+    Index begin; ///< the part of a face where it begins, far from the root
+    std::vector<Edge_crossing> crossings;
+  };
+
+  /// Prepares to find loops along the edges of `surface`, with vertices and faces in place of parts of faces and of
+  /// vertices: the halfedges of the crossings are those along the loop. Linear. `surface` is referred to.
+  explicit Handle_loops(const Triangulated_surface& surface)
+      : m_surface(surface), m_number_of_discs(surface.number_of_faces())
+  {
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (surface.edge(h) == h) {
+        const Index twin = surface.twin(h);
+        m_parts.push_back(
+            {{h, 0}, {Triangulated_surface::face(h), Triangulated_surface::face(twin)}, float(surface.length(h))});
+        m_node.insert(m_node.end(), {surface.origin(h), surface.target(h)});
       }
-      m_border[surface.twin(edge)] = border(point, !is_reversed);
-      last = edge;
     }
+    sort_steps(surface.number_of_vertices());
   }
 
-  /// The loops of the piece with the vertex `root`, twice its genus of them, each simple, through `root` or with its
-  /// stem from there left out; the shortest first. They are fewer where all edges between two parts of the piece
-  /// are crossed.
-  std::vector<Vertex_loop> operator()(Index root)
+  /// Prepares to find loops on `surface` cut along the separators in `arrangement`: O(n + m log m) for n edges and m
+  /// crossings. `surface` is referred to.
+  Handle_loops(const Triangulated_surface& surface, const Separator_arrangement& arrangement)
+      : m_surface(surface), m_number_of_discs(surface.number_of_vertices() + 2 * arrangement.points().size())
+  {
+    const std::vector<Separator_arrangement::Edge_point>& points = arrangement.points();
+    const std::vector<Index> order = arrangement.points_along_edges();
+    std::vector<Index> part_before(points.size());                // along the edge of each point
+    std::vector<Index> first_side(surface.number_of_halfedges()); // of each halfedge: twice its first part, or plus one
+    auto next = order.begin();
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (surface.edge(h) != h) {
+        continue;
+      }
+      first_side[h] = Index(2 * m_parts.size());
+      Index disc = surface.origin(h);
+      double begin = 0;
+      for (; next != order.end() && points[*next].edge == h; ++next) {
+        const Index border = surface.number_of_vertices() + 2 * (*next - points[*next].rank);
+        const bool is_reversed = arrangement.leaves_reversed(*next);
+        part_before[*next] = Index(m_parts.size());
+        add_part({h, (begin + points[*next].position) / 2}, {disc, border + Index(is_reversed)});
+        disc = border + Index(!is_reversed);
+        begin = points[*next].position;
+      }
+      first_side[surface.twin(h)] = Index(2 * m_parts.size() + 1);
+      add_part({h, (begin + 1) / 2}, {disc, surface.target(h)});
+    }
+    // The sides of edge parts are joined to parts of faces, around corners and along separators.
+    Disjoint_sets sides(2 * m_parts.size());
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      sides.join(first_side[surface.twin(h)] ^ 1U, first_side[Triangulated_surface::next(h)]);
+    }
+    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
+      for (const bool is_left : {false, true}) {
+        const auto side = [&](Index point) {
+          const Index part = part_before[point] + Index(arrangement.leaves_reversed(point) != is_left);
+          return 2 * part + Index(Triangulated_surface::face(points[point].edge) != chord.face);
+        };
+        sides.join(side(chord.begin), side(chord.end));
+      }
+    }
+    Index number_of_nodes = 0;
+    m_node = sides.numbers(number_of_nodes);
+    sort_steps(number_of_nodes);
+  }
+
+  /// The loops of the piece of `root`, a part of a face: twice its genus of them, through `root` or with their stem
+  /// from there left out; the shortest first. O(n log n).
+  std::vector<Loop> operator()(Index root)
   {
     m_front.clear();
     grow_tree(root);
     return close_loops();
   }
 
-  /// The loops of all pieces, likewise, from a root in each part of them.
-  std::vector<Vertex_loop> of_all_pieces()
+  /// The loops of all pieces, likewise, from a root in each of them.
+  std::vector<Loop> of_all_pieces()
   {
     m_front.clear();
-    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
-      if (!m_front.is_reached(vertex)) {
-        grow_tree(vertex);
+    for (Index node = 0; node < m_entered.size(); ++node) {
+      if (!m_front.is_reached(node)) {
+        grow_tree(node);
       }
     }
     return close_loops();
   }
 
 private:
-  bool is_crossed(Index halfedge) const { return m_border[halfedge] != no_index; }
+  /// A part of an edge of the surface, between two separators or ends.
+  struct Edge_part
+  {
+    Edge_crossing crossing;     ///< in the middle
+    std::array<Index, 2> discs; ///< the vertices or, after these by number, the borders where it begins and ends
+    float length;               ///< of the way across it, from the center of one face to that of the other
+  };
+
+  void add_part(const Edge_crossing& crossing, const std::array<Index, 2>& discs)
+  {
+    const Vector3 middle = crossing_point(m_surface, crossing);
+    double length = 0;
+    for (const Index h : {crossing.halfedge, m_surface.twin(crossing.halfedge)}) {
+      const Vector3 sum = m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h)) +
+                          m_surface.point(m_surface.opposite_vertex(h));
+      length += (sum / 3 - middle).norm();
+    }
+    m_parts.push_back({crossing, discs, float(length)});
+  }
+
+  void sort_steps(Index number_of_nodes)
+  {
+    m_steps = Compressed_rows<Index>(number_of_nodes, [this](const auto& add) {
+      for (Index step = 0; step < m_node.size(); ++step) {
+        add(m_node[step], step);
+      }
+    });
+    m_front = Dijkstra_search(number_of_nodes);
+    m_entered.resize(number_of_nodes);
+  }
 
   void grow_tree(Index root)
   {
     m_front.reach(root, 0);
-    m_parent[root] = no_index;
-    m_front.spread([&](Index vertex, float distance) {
-      for (Index halfedge : m_surface.outgoing(vertex)) {
-        const Index neighbor = m_surface.target(halfedge);
-        if (!is_crossed(halfedge) && m_front.reach(neighbor, distance + float(m_surface.length(halfedge)))) {
-          m_parent[neighbor] = vertex;
+    m_entered[root] = no_index;
+    m_front.spread([&](Index node, float distance) {
+      for (const Index step : m_steps[node]) {
+        if (m_front.reach(m_node[step ^ 1U], distance + m_parts[step / 2].length)) {
+          m_entered[m_node[step ^ 1U]] = step;
         }
       }
     });
   }
 
-  std::vector<Vertex_loop> close_loops() const
+  std::vector<Loop> close_loops() const
   {
-    Disjoint_sets regions = m_regions;
-    std::vector<Vertex_loop> loops;
-    // The longest loops first: their edges go to the cotree, and the edges of the shortest remain.
-    for (const auto& [loop_length, halfedge] : cotree_edges()) {
-      if (!regions.join(region(halfedge), region(m_surface.twin(halfedge)))) {
-        loops.push_back(close_loop(halfedge));
+    std::vector<std::pair<float, Index>> steps; // in no tree so far, with the lengths of the loops that they close
+    for (Index step = 0; step < m_node.size(); step += 2) {
+      const Index a = m_node[step];
+      const Index b = m_node[step + 1];
+      if (m_front.is_reached(a) && m_front.is_reached(b) && m_entered[b] != step && m_entered[a] != step + 1) {
+        steps.emplace_back(m_front.distance(a) + m_front.distance(b) + m_parts[step / 2].length, step);
+      }
+    }
+    // The longest loops first: their edge parts go to the other tree, and those of the shortest remain.
+    std::sort(steps.rbegin(), steps.rend());
+    Disjoint_sets discs(m_number_of_discs);
+    std::vector<Loop> loops;
+    for (const auto& [loop_length, step] : steps) {
+      const auto [begin, end] = m_parts[step / 2].discs;
+      if (!discs.join(begin, end)) {
+        loops.push_back(close_loop(step));
       }
     }
     std::reverse(loops.begin(), loops.end());
     return loops;
   }
 
-  /// The region on the left of `halfedge`: its face or, if that is cut, the border that the next edge leads to.
-  Index region(Index halfedge) const
+  /// From where `step` begins to where the tree ways to its begin and its end part, to the end, and straight back.
+  Loop close_loop(Index step) const
   {
-    const Index next = Triangulated_surface::next(halfedge);
-    return is_crossed(next) ? m_border[next] : Triangulated_surface::face(halfedge);
-  }
-
-  /// The edges that the tree reaches and does not take, by decreasing length of the loops that they close.
-  std::vector<std::pair<float, Index>> cotree_edges() const
-  {
-    std::vector<std::pair<float, Index>> edges;
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      const Index a = m_surface.origin(h);
-      const Index b = m_surface.target(h);
-      if (m_surface.edge(h) == h && !is_crossed(h) && m_front.is_reached(a) && m_front.is_reached(b) &&
-          m_parent[a] != b && m_parent[b] != a) {
-        edges.emplace_back(m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h)), h);
-      }
-    }
-    std::sort(edges.rbegin(), edges.rend());
-    return edges;
-  }
-
-  /// The two tree paths to the ends of `halfedge` without their common part.
-  Vertex_loop close_loop(Index halfedge) const
-  {
-    Vertex_loop first = path_from(m_surface.origin(halfedge));
-    Vertex_loop second = path_from(m_surface.target(halfedge));
-    Index meeting = first.back();
+    std::vector<Index> first = way_to(m_node[step]);
+    std::vector<Index> second = way_to(m_node[step + 1]);
     while (!first.empty() && !second.empty() && first.back() == second.back()) {
-      meeting = first.back();
       first.pop_back();
       second.pop_back();
     }
-    std::reverse(second.begin(), second.end());
-    first.push_back(meeting);
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
+    Loop loop{m_node[step], {}};
+    for (const Index forth : first) {
+      loop.crossings.push_back(crossing(forth ^ 1U));
+    }
+    std::for_each(second.rbegin(), second.rend(), [&](Index forth) { loop.crossings.push_back(crossing(forth)); });
+    loop.crossings.push_back(crossing(step ^ 1U));
+    return loop;
   }
 
-  Vertex_loop path_from(Index vertex) const
+  /// The steps from the root to `node`, the last one first.
+  std::vector<Index> way_to(Index node) const
   {
-    Vertex_loop path;
-    for (; vertex != no_index; vertex = m_parent[vertex]) {
-      path.push_back(vertex);
+    std::vector<Index> way;
+    for (Index step = m_entered[node]; step != no_index; step = m_entered[m_node[step]]) {
+      way.push_back(step);
     }
-    return path;
+    return way;
+  }
+
+  Edge_crossing crossing(Index step) const
+  {
+    const auto [h, position] = m_parts[step / 2].crossing;
+    return step % 2 == 0 ? Edge_crossing{h, position} : Edge_crossing{m_surface.twin(h), 1 - position};
   }
 
   const Triangulated_surface& m_surface;
-  std::vector<Index> m_border; ///< of every crossed halfedge, the border that its origin is nearest to
-  Disjoint_sets m_regions;     ///< of faces, and of both sides of separators at each point
-  Dijkstra_search m_front;
-  std::vector<Index> m_parent;
+  std::size_t m_number_of_discs;
+  std::vector<Edge_part> m_parts;
+  // A step is twice an edge part, across it from the face of its halfedge, or, plus one, from the other face.
+  std::vector<Index> m_node;      ///< the part of a face where each step begins
+  Compressed_rows<Index> m_steps; ///< that begin in each part of a face
+  Dijkstra_search m_front;        ///< over parts of faces
+  std::vector<Index> m_entered;   ///< the step to each part of a face in a tree, `no_index` to a root
 };
 
 /// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
@@ -185,7 +252,7 @@ public:
   {
   }
 
-  /// Cuts all handles that can be cut; O(n log n) for each round, and a round cuts many.
+  /// Cuts all handles; O(n log n) for each round, and a round cuts many.
   void operator()()
   {
     while (has_handles() && cut()) {
@@ -202,37 +269,21 @@ private:
   /// Cuts along all loops that are disjoint and each lower the genus by one. \return whether there are some
   bool cut()
   {
-    m_room.assign(m_surface.number_of_halfedges(), 1.);
-    for (const Index packed : m_packing.packed()) {
-      take_room(m_separators[packed].crossings);
-    }
+    m_packing.spread_crossings();
     Separator_arrangement arrangement = m_packing.arrangement();
     std::vector<Separator> trial;
-    for (const Vertex_loop& loop : Handle_loops(m_surface, m_packing.arrangement()).of_all_pieces()) {
-      insert(loop, trial, arrangement);
+    for (Handle_loops::Loop& loop : Handle_loops(m_surface, arrangement).of_all_pieces()) {
+      if (arrangement.insert(Index(m_separators.size() + trial.size()), loop.crossings)) {
+        Separator separator;
+        separator.crossings = std::move(loop.crossings);
+        std::vector<Vector3> points;
+        crossing_points(m_surface, separator.crossings, points);
+        set_measures(separator, points);
+        separator.source = m_surface.origin(separator.crossings.front().halfedge);
+        trial.push_back(std::move(separator));
+      }
     }
     return pack(trial, Cut_graph(m_surface, arrangement));
-  }
-
-  /// Appends `loop`, pushed off the vertices, to `trial` if it is disjoint from the separators in `arrangement`: it
-  /// crosses edges half way to the nearest one of these.
-  void insert(const Vertex_loop& loop, std::vector<Separator>& trial, Separator_arrangement& arrangement)
-  {
-    Separator separator;
-    if (!push_off(m_surface, loop, separator.crossings)) {
-      return;
-    }
-    for (Edge_crossing& crossing : separator.crossings) {
-      crossing.position = std::min(crossing.position, m_room[crossing.halfedge] / 2);
-    }
-    if (arrangement.insert(Index(m_separators.size() + trial.size()), separator.crossings)) {
-      take_room(separator.crossings);
-      std::vector<Vector3> points;
-      crossing_points(m_surface, separator.crossings, points);
-      set_measures(separator, points);
-      separator.source = loop.front();
-      trial.push_back(std::move(separator));
-    }
   }
 
   /// Packs the separators of `trial`, the last in `cut_graph`, that lower the genus: from the worst to the best, one
@@ -255,50 +306,17 @@ private:
     return !needed.empty();
   }
 
-  void take_room(const std::vector<Edge_crossing>& crossings)
-  {
-    for (const auto& [halfedge, position] : crossings) {
-      const Index twin = m_surface.twin(halfedge);
-      m_room[halfedge] = std::min(m_room[halfedge], position);
-      m_room[twin] = std::min(m_room[twin], 1 - position);
-    }
-  }
-
   const Triangulated_surface& m_surface;
   std::vector<Separator>& m_separators;
   Separator_packing& m_packing;
-  std::vector<double> m_room; ///< of each halfedge, the position of the first separator that crosses it
 };
 
-/// The packed separators except, of the first `number` in their list, those at pieces with handles.
-inline std::vector<Index> packed_away_from_handles(const Separator_packing& packing, std::size_t number)
-{
-  const Cut_graph& cut_graph = packing.cut_graph();
-  const auto has_handle = [&cut_graph](Index piece) { return cut_graph.pieces()[piece].genus() > 0; };
-  std::vector<Index> result;
-  for (Index i = 0; i < packing.packed().size(); ++i) {
-    const auto [right, left] = cut_graph.sides(i);
-    if (packing.packed()[i] >= number || (!has_handle(right) && !has_handle(left))) {
-      result.push_back(packing.packed()[i]);
-    }
-  }
-  return result;
-}
-
 /// Packs separators around handles that no packed one cuts, and appends them to `separators`; counts them in `report`.
-/// Where a coarse surface leaves no room for them, the packed ones around are left out.
-inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators,
-                        std::unique_ptr<Separator_packing>& packing, Skeletonization_report& report)
+inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing,
+                        Skeletonization_report& report)
 {
   const std::size_t number = separators.size();
-  for (;;) {
-    Handle_cutting(solid.triangulation(), separators, *packing)();
-    const std::vector<Index> kept = packed_away_from_handles(*packing, number);
-    if (kept.size() == packing->packed().size()) {
-      break;
-    }
-    packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, kept);
-  }
+  Handle_cutting(solid.triangulation(), separators, packing)();
   report.number_of_handle_cuts = separators.size() - number;
   for (std::size_t i = number; i < separators.size(); ++i) {
     mark_open(solid, separators[i]);
@@ -473,7 +491,7 @@ inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulat
       packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, kept);
     }
   }
-  cut_handles(solid, separators, packing, report);
+  cut_handles(solid, separators, *packing, report);
   return packing;
 }
 
