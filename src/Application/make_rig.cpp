@@ -369,16 +369,6 @@ struct Rig_axis
   Index root = no_index;
 };
 
-/// For each node of `skeleton`, the number of its component.
-std::vector<Index> number_parts(const Skeleton& skeleton, Index& number_of_parts)
-{
-  Disjoint_sets sets(skeleton.number_of_nodes());
-  for (const auto& [a, b] : skeleton.edges) {
-    sets.join(a, b);
-  }
-  return sets.numbers(number_of_parts);
-}
-
 /// The part that is the body of a fish, the other ones being its fins and eyes: it is compact, not a ball, and most of
 /// the volume. No part of other shapes.
 /// \param moments of each part
@@ -411,7 +401,7 @@ std::optional<Rig_axis> find_spine(const Skeleton& parts, const Assigned_surface
   constexpr double max_overhang = 0.15; // at the end where parts stick out less, in lengths of the body
   constexpr Index number_of_nodes = 7;  // for as many joints as a limb may have
   Index number_of_parts = 0;
-  const std::vector<Index> part = number_parts(parts, number_of_parts);
+  const std::vector<Index> part = Disjoint_sets(parts.number_of_nodes(), parts.edges).numbers(number_of_parts);
   const auto part_of = [&](Index vertex) {
     const Index node = surface.node_of_vertex[vertex];
     return node == no_index ? no_index : part[node];
@@ -487,7 +477,7 @@ std::vector<char> nodes_of_small_parts(const Skeleton& parts, double size)
   constexpr double max_radius = 0.02; // relative to the size, as are diagonals of boxes around parts:
   constexpr double max_diagonal = 0.3;
   Index number_of_parts = 0;
-  const std::vector<Index> part = number_parts(parts, number_of_parts);
+  const std::vector<Index> part = Disjoint_sets(parts.number_of_nodes(), parts.edges).numbers(number_of_parts);
   std::vector<Bounding_box> boxes(number_of_parts);
   std::vector<double> radii(number_of_parts, 0);
   for (Index node = 0; node < part.size(); ++node) {

@@ -62,10 +62,7 @@ Normalization normalize_diagonal(std::vector<Vector3>& points)
 void interpolate_radii(const Skeleton& skeleton, std::vector<char> is_known, double default_radius,
                        std::vector<double>& radii)
 {
-  Disjoint_sets parts(radii.size());
-  for (const auto& [u, v] : skeleton.edges) {
-    parts.join(u, v);
-  }
+  Disjoint_sets parts(radii.size(), skeleton.edges);
   std::vector<char> has_known(radii.size(), 0);
   for (Index v = 0; v < radii.size(); ++v) {
     has_known[parts.find(v)] = has_known[parts.find(v)] != 0 || is_known[v] != 0 ? 1 : 0;

@@ -271,10 +271,7 @@ private:
   /// For each node one of its component, always the same.
   std::vector<Index> components() const
   {
-    Disjoint_sets sets(m_skeleton.number_of_nodes());
-    for (const auto& [a, b] : m_skeleton.edges) {
-      sets.join(a, b);
-    }
+    Disjoint_sets sets(m_skeleton.number_of_nodes(), m_skeleton.edges);
     std::vector<Index> result = numbers();
     std::transform(result.begin(), result.end(), result.begin(), [&sets](Index v) { return sets.find(v); });
     return result;

@@ -257,11 +257,8 @@ inline void make_simple(Skeleton_builder& builder)
 /// Writes the counts of `skeleton` to `report`, and warnings of its faults. \pre no node is removed
 inline void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_report& report)
 {
-  internal::Disjoint_sets components(skeleton.size());
   const auto edges = skeleton.edges();
-  for (const auto& [a, b] : edges) {
-    components.join(a, b);
-  }
+  internal::Disjoint_sets components(skeleton.size(), edges);
   report.number_of_nodes = skeleton.size();
   report.number_of_edges = edges.size();
   report.number_of_skeleton_components = 0;

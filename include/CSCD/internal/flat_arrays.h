@@ -136,6 +136,15 @@ public:
     std::iota(m_parent.begin(), m_parent.end(), Index(0));
   }
 
+  /// Likewise, then joins the ends of each of `edges`.
+  template <class Edges>
+  Disjoint_sets(std::size_t size, const Edges& edges) : Disjoint_sets(size)
+  {
+    for (const auto& [a, b] : edges) {
+      join(a, b);
+    }
+  }
+
   Index size() const { return Index(m_parent.size()); }
 
   /// The index that represents the set of `index`.
