@@ -31,9 +31,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
-using CSCD::test::Shape;
-using CSCD::test::Triple;
-using CSCD::test::Violations;
+using CSCD::test::Shape, CSCD::test::Triple, CSCD::test::Violations;
 // Of std::array, which argument-dependent look-up does not find.
 using CSCD::test::operator+;
 using CSCD::test::operator-;

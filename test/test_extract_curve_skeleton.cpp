@@ -29,9 +29,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
-using CSCD::test::Shape;
-using CSCD::test::Shape_maker;
-using CSCD::test::Violations;
+using CSCD::test::Shape, CSCD::test::Shape_maker, CSCD::test::Violations;
 namespace parameters = CSCD::parameters;
 
 /// A shape, its mesh and the result of the pipeline.
@@ -275,6 +273,23 @@ Mesh body_with_limbs()
   const auto limb = [](double x, double height) { return CSCD::test::Limb{{x, 0, 0}, {x, 0, 0.5 + height}, 0.5, 0.5}; };
   return CSCD::test::to_mesh<Mesh>(CSCD::test::limb_shape(
       "body with limbs", {{{-5, 0, 0}, {5, 0, 0}, 1, 1}, limb(-3, 0.2), limb(0, 0.6), limb(3, 2)}, 0.15));
+}
+
+TEST(Thin_limb, of_long_faces_is_followed_to_its_end)
+{
+  for (const auto& [radius, rings] : {std::pair(0.003, 20), {0.01, 2}, {0.01, 20}, {0.03, 20}}) {
+    std::vector<CSCD::test::Triple> points; // the axis of a ball of radius 1 on a wire
+    std::vector<double> radii;
+    for (int i = 1; i < 40 + rings; ++i) {
+      points.push_back({i < 40 ? -std::cos(i * CSCD::test::pi / 40) : 1 + 3. * (i - 39) / rings, 0, 0});
+      radii.push_back(std::max(i < 40 ? std::sin(i * CSCD::test::pi / 40) : 0, radius));
+    }
+    const auto shape = CSCD::test::swept_shape("ball on a wire", points, radii, 24, CSCD::test::Tube_end::flat);
+    Skeleton skeleton;
+    EXPECT_EQ(CSCD::extract_curve_skeleton(CSCD::test::to_mesh<Mesh>(shape), skeleton).number_of_edges_outside, 0U);
+    const auto is_at_end = [&](auto node) { return skeleton[node].point.x() > 3.5; };
+    EXPECT_TRUE(std::any_of(vertices(skeleton).first, vertices(skeleton).second, is_at_end)) << radius << ' ' << rings;
+  }
 }
 
 TEST(Thin_wall, of_a_cup_leads_no_branch_around_its_hollow)

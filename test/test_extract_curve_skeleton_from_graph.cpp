@@ -28,10 +28,7 @@
 
 namespace {
 
-using CSCD::test::edges_of;
-using CSCD::test::Shape;
-using CSCD::test::to_graph;
-using CSCD::test::Triple;
+using CSCD::test::edges_of, CSCD::test::Shape, CSCD::test::to_graph, CSCD::test::Triple;
 using CSCD::test::operator+;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 

@@ -36,11 +36,7 @@ using Graph = CSCD::Cut_locus_graph<Point, Mesh::Face_index>;
 using CSCD::test::operator+;
 using CSCD::test::operator-;
 using CSCD::test::operator*;
-using CSCD::test::pi;
-using CSCD::test::Shape;
-using CSCD::test::Shape_maker;
-using CSCD::test::skeleton_facts;
-using CSCD::test::Triple;
+using CSCD::test::pi, CSCD::test::Shape, CSCD::test::Shape_maker, CSCD::test::skeleton_facts, CSCD::test::Triple;
 namespace parameters = CSCD::parameters;
 
 double length(const Graph& graph)

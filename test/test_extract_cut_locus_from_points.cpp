@@ -35,9 +35,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Graph = CSCD::Point_cut_locus_graph<Point>;
-using CSCD::test::pi;
-using CSCD::test::Shape;
-using CSCD::test::Triple;
+using CSCD::test::pi, CSCD::test::Shape, CSCD::test::Triple;
 using CSCD::test::operator*;
 using CSCD::test::operator-;
 namespace parameters = CSCD::parameters;

@@ -25,9 +25,7 @@
 
 namespace {
 
-using CSCD::Index;
-using CSCD::Vector3;
-using CSCD::test::Shape;
+using CSCD::Index, CSCD::Vector3, CSCD::test::Shape;
 
 /// A block of height 1 with a square hole.
 struct Block

@@ -32,11 +32,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Linear_cell_complex =
     CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
-using CSCD::test::Plain_skeleton;
-using CSCD::test::Shape;
-using CSCD::test::Shape_maker;
-using CSCD::test::Similarity;
-using CSCD::test::Violations;
+using CSCD::test::Plain_skeleton, CSCD::test::Shape, CSCD::test::Shape_maker, CSCD::test::Similarity,
+    CSCD::test::Violations;
 
 /// Distances that may be due to rounding, relative to the diagonal of the bounding box.
 constexpr double relative_tolerance = 1e-6;

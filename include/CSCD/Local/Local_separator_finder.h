@@ -50,6 +50,9 @@ public:
     result.is_section = false;
     result.loop_length = 0;
     result.outcome = trace_on_best_level(source, level_hint, result.level);
+    if (result.outcome == Search_outcome::no_cut && cut_across_longest_edge(source, result)) {
+      return;
+    }
     if (result.outcome != Search_outcome::found) {
       return;
     }
@@ -87,6 +90,15 @@ private:
   static constexpr double max_shift_on_sheet = 0.25;
   /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
   static constexpr int number_of_axis_steps = 2;
+
+  /// A section across a limb of long faces crosses at least this many edges: a pin of four sides is crossed by eight.
+  /// Where edges are as short as the limb is thick, as of clouds, fewer are crossed, and the surface is uncertain.
+  static constexpr std::size_t min_crossings_of_long_faces = 12;
+  /// It is at least this round: two sides of a sheet are not.
+  static constexpr double min_roundness_of_long_faces = 0.2;
+
+  /// Its center lies below the source, up to an angle of this cosine.
+  static constexpr double min_center_cosine = 0.5;
 
   struct Workspace
   {
@@ -167,6 +179,38 @@ private:
       internal::trace_loop(front, meeting.first(), meeting.second(), m_loop);
     }
     return end;
+  }
+
+  /// Finds the section across the longest edge at `source` if it is at most twice as long: a limb whose faces are
+  /// longer than it is thick, such as a wire of a few rows of faces. A front passes them before it has gone around the
+  /// limb.
+  bool cut_across_longest_edge(Index source, Search_result& result)
+  {
+    const Triangulated_surface& surface = m_levels.finest().surface;
+    Vector3 longest = Vector3::Zero();
+    for (const Index h : surface.outgoing(source)) {
+      const Vector3 edge = surface.point(surface.target(h)) - surface.point(source);
+      longest = edge.squaredNorm() > longest.squaredNorm() ? edge : longest;
+    }
+    const double length = longest.norm();
+    if (!(length > 0) || !m_section.cut_at_vertex(source, longest / length, 2 * length) ||
+        m_section.crossings().size() < min_crossings_of_long_faces) {
+      return false;
+    }
+    Separator& separator = result.separator;
+    internal::set_measures(separator, m_section.points());
+    const Vector3 chord = separator.center - surface.point(source);
+    if (separator.roundness() < min_roundness_of_long_faces ||
+        -chord.dot(surface.vertex_normal(source)) < min_center_cosine * chord.norm()) {
+      return false;
+    }
+    separator.source = source;
+    separator.level = 0;
+    separator.crossings = m_section.crossings();
+    result.outcome = Search_outcome::found;
+    result.level = 0;
+    result.is_section = true;
+    return true;
   }
 
   void measure_vertex_loop(Search_result& result)
