@@ -96,7 +96,6 @@ private:
   static constexpr std::size_t min_crossings_of_long_faces = 12;
   /// It is at least this round: two sides of a sheet are not.
   static constexpr double min_roundness_of_long_faces = 0.2;
-
   /// Its center lies below the source, up to an angle of this cosine.
   static constexpr double min_center_cosine = 0.5;
 
@@ -190,7 +189,7 @@ private:
     Vector3 longest = Vector3::Zero();
     for (const Index h : surface.outgoing(source)) {
       const Vector3 edge = surface.point(surface.target(h)) - surface.point(source);
-      longest = edge.squaredNorm() > longest.squaredNorm() ? edge : longest;
+      longest = float(edge.squaredNorm()) > float(longest.squaredNorm()) ? edge : longest; // of equal ones, the first
     }
     const double length = longest.norm();
     if (!(length > 0) || !m_section.cut_at_vertex(source, longest / length, 2 * length) ||
