@@ -61,23 +61,14 @@ public:
                     const std::vector<Index>& packed, double min_area_ratio)
       : m_cut_graph(cut_graph), m_separators(separators), m_packed(packed), m_min_area_ratio(min_area_ratio)
   {
-    std::map<Index, std::vector<Index>> weak_tips; // by the junctions of their branches
     for (Index tip = 0; tip < cut_graph.pieces().size(); ++tip) {
       if (cut_graph.pieces()[tip].separators.size() == 1) {
         const Index junction = walk_branch(tip);
-        if (junction != no_index && !is_limb(1)) {
+        if (junction != no_index && (!is_limb(1) || is_corner())) {
           ban(m_branch.size());
-          continue;
+        } else {
+          ban(number_of_steps_into_corner());
         }
-        ban(number_of_steps_into_corner());
-        if (junction != no_index && may_be_corner()) {
-          weak_tips[junction].push_back(tip);
-        }
-      }
-    }
-    for (const auto& [junction, tips] : weak_tips) {
-      if (tips.size() + 1 == cut_graph.pieces()[junction].separators.size()) {
-        ban_fork(tips);
       }
     }
   }
@@ -96,9 +87,14 @@ private:
   static constexpr double oblique_factor = 1.7;
   /// ... and the cosine of the angle to the next one is at most this.
   static constexpr double max_oblique_cosine = 0.9;
-  /// Some separator of a branch into a corner is at most this round: sections of planks are less round than a square,
-  /// and sections of toes are rounder.
-  static constexpr double max_corner_roundness = 0.8;
+  /// Some separator of a branch into the corner of a plank, or across a flange, is at most this round, less than a
+  /// square, and separators around low limbs are rounder.
+  static constexpr double max_roundness_of_plank = 0.77;
+  /// Some separator of a branch into the corner of a bar, or across a flange as thick as its radius, is at most this
+  /// round, and toes are rounder, ...
+  static constexpr double max_roundness_of_bar = 0.8;
+  /// ... and cuts off up to 1.225 times the least area of a limb, by default; around low limbs, 1.31 times.
+  static constexpr double bar_corner_factor = 1.25;
 
   /// A packed separator of a branch and the area between it and the tip.
   struct Step
@@ -133,23 +129,18 @@ private:
     }
   }
 
-  /// Bans the branches from `tips`, a fork at the end of a branch into the corners of a plank.
-  void ban_fork(const std::vector<Index>& tips)
-  {
-    for (const Index tip : tips) {
-      walk_branch(tip);
-      ban(m_branch.size());
-    }
-  }
-
   bool is_limb(double factor) const { return number_of_weak_steps(factor) < m_branch.size(); }
 
-  /// Whether the branch is as weak as those into the corners of a plank, and flat.
-  bool may_be_corner() const
+  /// Whether the branch is as weak and as flat as branches into the corners of a plank or a table, and as those across
+  /// the flange of a shaft, which sticks out all around.
+  bool is_corner() const
   {
-    return !is_limb(corner_factor) && std::any_of(m_branch.begin(), m_branch.end(), [&](const Step& step) {
-      return separator(step).roundness() < max_corner_roundness;
-    });
+    double roundness = 1;
+    for (const Step& step : m_branch) {
+      roundness = std::min(roundness, separator(step).roundness());
+    }
+    return (roundness < max_roundness_of_plank && !is_limb(corner_factor)) ||
+           (roundness < max_roundness_of_bar && !is_limb(bar_corner_factor));
   }
 
   /// The number of steps before the first one that cuts off `factor` times the least area of a limb.
