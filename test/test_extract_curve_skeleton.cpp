@@ -364,6 +364,7 @@ TEST(Overlapping_components, have_the_skeletons_that_each_has_alone)
       CSCD::extract_curve_skeleton(CSCD::test::to_mesh<Mesh>(CSCD::test::merged("", {body, limb})), skeleton);
   EXPECT_EQ(report.number_of_skeleton_components, 2u);
   EXPECT_EQ(report.number_of_tips, 4u);
+  EXPECT_EQ(report.number_of_nodes_outside, 0u);
   EXPECT_EQ(report.number_of_edges_outside, 0u);
   EXPECT_NEAR(total_length(skeleton), length, 0.02 * length);
 }
