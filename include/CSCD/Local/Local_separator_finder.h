@@ -75,9 +75,9 @@ private:
   /// Visits on a level before the next coarser one is tried: for a loop of `min_loop_size` edges, a front visits about
   /// the square of that number; found by experiment on 27 meshes.
   static constexpr std::size_t max_visits = std::size_t(1.6 * min_loop_size * min_loop_size);
-  /// Visits on the coarsest level, which has fewer vertices unless the limbs are many; few fronts that grow larger
-  /// there find a loop.
-  static constexpr std::size_t max_visits_at_top = 2000;
+  /// Visits where no coarser level is left to try: on the coarsest one, which has fewer vertices unless the limbs are
+  /// many, and below a level without a loop. Few fronts that grow larger find a loop, and then one around a whole body.
+  static constexpr std::size_t max_visits_at_last = 2000;
   /// Where the measurement of the area on the smaller side may stop, relative to the least area.
   static constexpr double bump_limit = 1.01;
   /// A section is accepted if its length is within these bounds, relative to the loop's ...
@@ -143,9 +143,15 @@ private:
     Direction direction = Direction::none;
     for (level = std::min(level_hint, m_levels.top());;) {
       const bool is_top = level == m_levels.top();
-      const std::size_t cap = is_top ? max_visits_at_top : max_visits;
-      const internal::Front_end end =
-          trace(source, level, direction == Direction::finer ? std::numeric_limits<std::size_t>::max() : cap);
+      const bool is_finer = direction == Direction::finer;
+      // A loop on the coarser level bounds the front.
+      const std::size_t cap = is_finer && !m_loop.empty() ? std::numeric_limits<std::size_t>::max()
+                              : is_finer || is_top        ? max_visits_at_last
+                                                          : max_visits;
+      const internal::Front_end end = trace(source, level, cap);
+      if (end == internal::Front_end::capped && is_finer) {
+        return Search_outcome::no_cut;
+      }
       if (end == internal::Front_end::capped && !is_top) {
         ++level;
         direction = Direction::coarser;
