@@ -301,7 +301,7 @@ TEST(Thin_limb, of_long_faces_is_followed_to_its_end)
   }
 }
 
-TEST(Shaft, has_no_branches_in_its_flange)
+TEST(Shaft, has_a_straight_axis_and_no_branches_in_its_flange)
 {
   for (const auto& [radius, thickness] : {std::pair(0.15, 0.4), {0.3, 0.1}, {0.3, 0.4}, {0.45, 0.1}, {0.45, 0.9}}) {
     std::vector<double> places;
@@ -313,6 +313,9 @@ TEST(Shaft, has_no_branches_in_its_flange)
     }
     Skeleton skeleton;
     EXPECT_EQ(CSCD::extract_curve_skeleton(revolved(places, radii), skeleton).number_of_tips, 2U) << thickness;
+    for (const auto node : CGAL::make_range(vertices(skeleton))) {
+      EXPECT_LT(std::hypot(skeleton[node].point.y(), skeleton[node].point.z()), 0.1) << thickness;
+    }
   }
 }
 

@@ -88,6 +88,10 @@ private:
   /// The same on a sheet, where that is half of the width: sections that are turned perpendicular to the borders are
   /// turned about the source, which may be near one of them.
   static constexpr double max_shift_on_sheet = 0.25;
+  /// A straightened loop is accepted if the mean cosine of the angle between its normal and the normals of the faces
+  /// that it crosses is at most this: at a step of a shaft, loops lie flat on the face of the step. With 0.5, limbs of
+  /// animals end earlier.
+  static constexpr double max_mean_cosine = 0.6;
   /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
   static constexpr int number_of_axis_steps = 2;
 
@@ -349,7 +353,21 @@ private:
     internal::straighten(finest, separator.crossings);
     internal::crossing_points(finest, separator.crossings, m_points);
     internal::set_measures(separator, m_points);
-    return separator.crossings.size() >= min_simple_loop_size;
+    return separator.crossings.size() >= min_simple_loop_size &&
+           (side_of_sheet(separator.source) != 0 || mean_cosine_to_faces(separator) <= max_mean_cosine);
+  }
+
+  /// The mean, along the curve `m_points`, of the cosine of the angle between the normals of `separator` and of the
+  /// faces that it crosses.
+  double mean_cosine_to_faces(const Separator& separator) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const Index face = Triangulated_surface::face(separator.crossings[i].halfedge);
+      const double length = (m_points[i] - m_points[i > 0 ? i - 1 : m_points.size() - 1]).norm();
+      sum += length * std::abs(separator.normal.dot(m_levels.finest().surface.face_normal(face)));
+    }
+    return sum / separator.length;
   }
 
   const Surface_levels& m_levels;
