@@ -13,7 +13,6 @@
 #include <CSCD/Vector3.h>
 
 #include <CGAL/property_map.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -69,13 +68,8 @@ template <class Traits, class Policies>
 Skeletonization_result run_skeletonization(const Traits& traits, const Policies& policies,
                                            const Skeletonize_options& options, Progress_visitor& visitor)
 {
-  CSCD::Curve_skeletonization<Traits, Policies, Progress_visitor&> skeletonization(traits, policies, visitor);
-  const CSCD::Options settings = engine_options(options);
-  skeletonization.set_random_seed(settings.random_seed)
-      .set_number_of_threads(settings.number_of_threads)
-      .set_maximum_number_of_sources(settings.maximum_number_of_sources);
   Skeletonization_result result;
-  result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(result.skeleton);
+  result.report = CSCD::internal::run_stages(traits, policies, engine_options(options), visitor, result.skeleton);
   return result;
 }
 

@@ -282,22 +282,28 @@ auto skeletonization_policies(const NamedParameters& np)
   }
 }
 
-/// Runs the pipeline on the surface traits that `make_traits()` returns, with the parameters that all inputs have in
-/// common.
-template <class ConcurrencyTag, class Traits, class MakeTraits, class Policies, class Skeleton, class NamedParameters>
+/// Runs all stages on the surface of `traits`, with the options that all inputs have in common.
+template <class Traits, class Policies, class Visitor, class Skeleton>
+Skeletonization_report run_stages(const Traits& traits, const Policies& policies, const Options& options,
+                                  Visitor& visitor, Skeleton& skeleton)
+{
+  Curve_skeletonization<Traits, Policies, Visitor&> skeletonization(traits, policies, visitor);
+  skeletonization.set_random_seed(options.random_seed)
+      .set_number_of_threads(options.number_of_threads)
+      .set_maximum_number_of_sources(options.maximum_number_of_sources);
+  return skeletonization.template run<CGAL::Parallel_if_available_tag>(skeleton);
+}
+
+/// Makes surface traits by `make_traits()`, and runs all stages on them.
+template <class ConcurrencyTag, class MakeTraits, class Policies, class Skeleton, class NamedParameters>
 Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies& policies, Skeleton& skeleton,
                                    const NamedParameters& np)
 {
   return with_visitor(np, [&](auto& visitor) {
     visitor.on_stage_begin(Skeletonization_stage::compile_surface);
-    const Traits traits = make_traits();
+    const auto traits = make_traits();
     visitor.on_stage_end(Skeletonization_stage::compile_surface);
-    const Options options = to_options<ConcurrencyTag>(np);
-    Curve_skeletonization<Traits, Policies, decltype(visitor)> skeletonization(traits, policies, visitor);
-    skeletonization.set_random_seed(options.random_seed)
-        .set_number_of_threads(options.number_of_threads)
-        .set_maximum_number_of_sources(options.maximum_number_of_sources);
-    return skeletonization.template run<ConcurrencyTag>(skeleton);
+    return run_stages(traits, policies, to_options<ConcurrencyTag>(np), visitor, skeleton);
   });
 }
 
@@ -312,7 +318,7 @@ struct Mesh_skeletonization_by_policies
     check_triangle_mesh<TriangleMesh>();
     using Traits = Triangle_mesh_traits<TriangleMesh, VertexPointMap>;
     const Options options = to_options<ConcurrencyTag>(np);
-    return skeletonize<ConcurrencyTag, Traits>(
+    return skeletonize<ConcurrencyTag>(
         [&] { return Traits(mesh, point_map, options.border_treatment, options.number_of_threads); },
         skeletonization_policies(np), skeleton, np);
   }

@@ -90,7 +90,7 @@ Skeletonization_report extract_curve_skeleton(const Graph& graph, Skeleton& skel
   const auto point_map = internal::graph_point_map(graph, np);
   using Traits = Spatial_graph_traits<Graph, std::decay_t<decltype(point_map)>>;
   const auto make_traits = [&] { return Traits(graph, point_map); };
-  return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, Graph_policies(), skeleton, np);
+  return internal::skeletonize<ConcurrencyTag>(make_traits, Graph_policies(), skeleton, np);
 }
 
 } // namespace CSCD

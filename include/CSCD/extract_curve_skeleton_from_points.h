@@ -86,7 +86,7 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
       }
     });
   };
-  return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, policies, skeleton, np);
+  return internal::skeletonize<ConcurrencyTag>(make_traits, policies, skeleton, np);
 }
 
 } // namespace CSCD

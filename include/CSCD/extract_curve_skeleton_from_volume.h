@@ -8,17 +8,13 @@
 
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Traits/Voxel_surface_traits.h>
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <type_traits>
-#include <utility>
 
 namespace CSCD {
 
@@ -44,11 +40,8 @@ Skeletonization_report extract_curve_skeleton(const Voxel_surface& surface, Skel
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
                                    internal_np::detail_t, internal_np::node_spacing_t, internal_np::policies_t>();
-  using Vertex = typename boost::graph_traits<Skeleton>::vertex_descriptor;
-  using Point = std::decay_t<decltype(std::declval<Skeleton&>()[std::declval<Vertex>()].point)>;
-  const auto make_traits = [&] { return Voxel_surface_traits<Point>(surface); };
-  return internal::skeletonize<ConcurrencyTag, Voxel_surface_traits<Point>>(
-      make_traits, internal::skeletonization_policies(np), skeleton, np);
+  const auto make_traits = [&] { return Voxel_surface_traits<internal::Skeleton_point<Skeleton>>(surface); };
+  return internal::skeletonize<ConcurrencyTag>(make_traits, internal::skeletonization_policies(np), skeleton, np);
 }
 
 } // namespace CSCD
