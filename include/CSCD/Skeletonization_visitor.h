@@ -75,10 +75,8 @@ class SkeletonizationVisitor
 };
 #endif
 
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
 /// refuses at compile time a type that is not a model of `SkeletonizationVisitor`.
+/// \ingroup PkgCSCDConceptChecks
 template <class T>
 constexpr void check_skeletonization_visitor()
 {
@@ -90,8 +88,6 @@ constexpr void check_skeletonization_visitor()
   static_assert(CSCD_GIVES(bool, T&, t.go_further()),
                 "CSCD: SkeletonizationVisitor requires v.go_further(), convertible to bool");
 }
-
-/// @}
 
 /// A visitor of any type, a model of `SkeletonizationVisitor`, which is referred to. Engines that are not templates
 /// call its functions by it.

@@ -49,10 +49,8 @@ class SkeletonizationTraits
 };
 #endif
 
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
 /// refuses at compile time a type that is not a model of `SkeletonizationTraits`.
+/// \ingroup PkgCSCDConceptChecks
 template <class T>
 constexpr void check_skeletonization_traits()
 {
@@ -71,8 +69,6 @@ constexpr void check_skeletonization_traits()
   static_assert(CSCD_IS_VALID(const T&, t.describe_input(std::declval<Skeletonization_report&>())),
                 "CSCD: SkeletonizationTraits requires t.describe_input(report) const, of a Skeletonization_report&");
 }
-
-/// @}
 
 #ifdef DOXYGEN_RUNNING
 /// A closed, oriented 2-manifold of triangles: vertices `0` to `n - 1`, and halfedges `h`, each the side `h % 3` of
@@ -100,10 +96,8 @@ class SurfaceTriangulation
 };
 #endif
 
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
 /// refuses at compile time a type that is not a model of `SurfaceTriangulation`.
+/// \ingroup PkgCSCDConceptChecks
 template <class T>
 constexpr void check_surface_triangulation()
 {
@@ -129,8 +123,6 @@ constexpr void check_surface_triangulation()
                 "CSCD: SurfaceTriangulation requires t.vertex_area(v), convertible to double");
 }
 
-/// @}
-
 #ifdef DOXYGEN_RUNNING
 /// A surface that bounds a body. All functions are const and may be called by several threads at once.
 ///
@@ -149,10 +141,8 @@ class SkeletonizationSurface
 };
 #endif
 
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
 /// refuses at compile time a type that is not a model of `SkeletonizationSurface`.
+/// \ingroup PkgCSCDConceptChecks
 template <class T>
 constexpr void check_skeletonization_surface()
 {
@@ -171,8 +161,6 @@ constexpr void check_skeletonization_surface()
   static_assert(CSCD_IS_VALID(const T&, t.crossings(Vector3(), Vector3(), std::declval<std::vector<double>&>())),
                 "CSCD: SkeletonizationSurface requires s.crossings(p, q, v) const, which fills a std::vector<double>");
 }
-
-/// @}
 
 #ifdef DOXYGEN_RUNNING
 /// The algorithms of the pipeline's stages, for surfaces of type `S`. All functions are const.
@@ -198,10 +186,8 @@ class SkeletonizationPolicies
 };
 #endif
 
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
 /// Whether `P` can find separators on a surface of type `S`.
+/// \ingroup PkgCSCDConceptChecks
 template <class P, class S>
 inline constexpr bool is_skeletonization_policies_v =
     CSCD_GIVES(std::vector<Separator>, const P&,
@@ -209,6 +195,7 @@ inline constexpr bool is_skeletonization_policies_v =
                                  std::declval<Skeletonization_report&>(), std::declval<const Progress&>()));
 
 /// refuses at compile time a type that is not a model of `SkeletonizationPolicies` for surfaces of type `S`.
+/// \ingroup PkgCSCDConceptChecks
 template <class P, class S>
 constexpr void check_skeletonization_policies()
 {
@@ -229,8 +216,6 @@ constexpr void check_skeletonization_policies()
       "Embedded_skeleton");
   static_assert(std::is_copy_constructible_v<P>, "CSCD: SkeletonizationPolicies requires a copy constructor");
 }
-
-/// @}
 
 } // namespace CSCD
 
