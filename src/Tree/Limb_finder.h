@@ -240,10 +240,6 @@ public:
   explicit Limb_finder(const std::vector<Slice>& slices) : m_slices(slices), m_host(slices.size())
   {
     std::iota(m_host.begin(), m_host.end(), Index(0));
-  }
-
-  void operator()()
-  {
     find_reaches();
     decompose(m_reach);
     give_up_short_limbs();
@@ -253,9 +249,8 @@ public:
 
   /// Parents first.
   const std::vector<Tree_limb>& limbs() const { return m_limbs; }
-  /// The slice of a limb that the points of a slice belong to: itself, unless its limb was given up.
-  Index host(Index slice) const { return m_host[slice]; }
-  bool is_alive(Index slice) const { return m_host[slice] == slice; }
+  /// For every slice the slice of a limb that its points belong to: itself, unless its limb was given up.
+  const std::vector<Index>& hosts() const { return m_host; }
 
 private:
   /// The least length of a limb beyond its parent, relative to the spacing of its points ...
@@ -266,6 +261,8 @@ private:
   static constexpr int straightness_exponent = 2;
   /// The number of slices that give the direction of a limb.
   static constexpr int direction_slices = 3;
+
+  bool is_alive(Index slice) const { return m_host[slice] == slice; }
 
   /// For every slice the distance where the part of an object from it on ends.
   void find_reaches()

@@ -29,13 +29,23 @@
 
 namespace CSCD::internal {
 
+/// A gap between two pieces of a graph: the points that are nearest to each other.
+struct Point_gap
+{
+  double length;
+  Index a;
+  Index b;
+  bool operator<(const Point_gap& other) const
+  {
+    return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
+  }
+};
+
 /// An undirected graph on points, and the spacing of the points at each of them. Scans are dense on trunks and sparse
 /// on twigs: nearness is relative to the spacing there.
 class Neighbor_graph
 {
 public:
-  using Edge = std::pair<Index, Index>;
-
   /// Joins each of `points` to those among its nearest neighbors, or of whose it is one, that are not far for the
   /// spacing at both. O(n log n).
   explicit Neighbor_graph(const std::vector<Vector3>& points)
@@ -61,11 +71,13 @@ public:
   /// The mean distance of the nearest points, a median over the neighborhood.
   double spacing(Index point) const { return m_spacing[point]; }
 
-  /// Adds `bridges`, edges that are not there yet, in the place of those added before. Linear.
-  void set_bridges(const std::vector<Edge>& bridges)
+  /// Adds edges across `bridges`, which are not there yet, in the place of those added before. Linear.
+  void set_bridges(const std::vector<Point_gap>& bridges)
   {
     m_edges.resize(m_number_of_own_edges);
-    m_edges.insert(m_edges.end(), bridges.begin(), bridges.end());
+    for (const Point_gap& gap : bridges) {
+      m_edges.emplace_back(gap.a, gap.b);
+    }
     index_edges();
   }
 
@@ -100,7 +112,7 @@ private:
   }
 
   std::vector<double> m_spacing;
-  std::vector<Edge> m_edges; // bridges last
+  std::vector<std::pair<Index, Index>> m_edges; // bridges last
   std::size_t m_number_of_own_edges = 0;
   Compressed_rows<Index> m_neighbors;
 };
@@ -160,18 +172,6 @@ private:
   Dijkstra_search m_front;
   std::vector<float> m_distance;
   std::vector<Index> m_parent;
-};
-
-/// A gap between two pieces: the points that are nearest to each other.
-struct Point_gap
-{
-  double length;
-  Index a;
-  Index b;
-  bool operator<(const Point_gap& other) const
-  {
-    return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
-  }
 };
 
 /// Joins the pieces of a neighbor graph across gaps, the shortest first, as far as they can be missing data of one

@@ -111,14 +111,6 @@ std::vector<std::vector<Index>> roots_of_objects(const std::vector<Vector3>& poi
   return result;
 }
 
-/// A node of the skeleton of a tree.
-struct Tree_node
-{
-  Vector3 position;
-  double radius;
-  Index parent; ///< stands before it; `no_index` for a root
-};
-
 /// Makes a node of each section of a limb, one where a trunk begins, and one at the tip of each limb.
 class Tree_nodes
 {
@@ -133,7 +125,8 @@ public:
     find_strahler_orders();
   }
 
-  std::vector<Tree_node> nodes;      ///< parents first, and each branch in one piece
+  std::vector<Vector3> centers;      ///< of the nodes, parents first, and each branch in one piece
+  std::vector<double> radii;         ///< of the nodes
   std::vector<Tree_branch> branches; ///< one for each limb; lengths are in the unit of the points
   std::vector<Index> node_of_slice;  ///< of the slices of limbs
   std::array<std::size_t, number_of_circle_outcomes> number_of_outcomes{}; ///< of the sections
@@ -161,7 +154,7 @@ private:
     for (Index slice : limb.slices) {
       const Section& section = m_sections[slice];
       add_node(section.center, section.radius, branch);
-      node_of_slice[slice] = Index(nodes.size() - 1);
+      node_of_slice[slice] = Index(branch.nodes.back());
       branch.number_of_circles += section.is_circle() ? 1 : 0;
       ++number_of_outcomes[std::size_t(section.outcome)];
     }
@@ -171,17 +164,18 @@ private:
       move_joint(branch);
     }
     branch.radius_at_base = m_sections[limb.slices.front()].radius;
-    branch.radius_at_tip = nodes[branch.nodes.back()].radius;
+    branch.radius_at_tip = radii[branch.nodes.back()];
     for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
-      branch.length += (nodes[branch.nodes[i]].position - nodes[branch.nodes[i - 1]].position).norm();
+      branch.length += (centers[branch.nodes[i]] - centers[branch.nodes[i - 1]]).norm();
     }
     branches.push_back(std::move(branch));
   }
 
-  void add_node(const Vector3& position, double radius, Tree_branch& branch)
+  void add_node(const Vector3& center, double radius, Tree_branch& branch)
   {
-    nodes.push_back({position, radius, branch.nodes.empty() ? no_index : Index(branch.nodes.back())});
-    branch.nodes.push_back(nodes.size() - 1);
+    branch.nodes.push_back(centers.size());
+    centers.push_back(center);
+    radii.push_back(radius);
   }
 
   /// Adds a node where the axis leaves the points of a slice, backward or forward.
@@ -201,37 +195,34 @@ private:
   /// apart in the crotch, beyond the place where their axes meet.
   void move_joint(Tree_branch& branch)
   {
-    const Vector3 base = nodes[branch.nodes[1]].position;
-    const Vector3 far = nodes[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]].position;
+    const Vector3& base = centers[branch.nodes[1]];
+    const Vector3& far = centers[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]];
     if (far == base) {
       return;
     }
     const Vector3 direction = (far - base).normalized();
     const Tree_branch& parent = branches[branch.parent];
-    const Tree_node& old_joint = nodes[branch.nodes.front()];
+    const std::size_t old_joint = branch.nodes.front();
     double least = std::numeric_limits<double>::max();
-    std::size_t joint = branch.nodes.front();
     // The first node of a branch belongs to another one.
     for (std::size_t i = parent.parent == no_branch ? 0 : 1; i < parent.nodes.size(); ++i) {
-      const Vector3& place = nodes[parent.nodes[i]].position;
-      if ((place - old_joint.position).norm() > farthest_move * old_joint.radius) {
+      const Vector3& place = centers[parent.nodes[i]];
+      if ((place - centers[old_joint]).norm() > farthest_move * radii[old_joint]) {
         continue;
       }
       const Vector3 d = place - base;
       const double distance = d.cross(direction).norm() + std::max(0., d.dot(direction));
       if (distance < least) {
         least = distance;
-        joint = parent.nodes[i];
+        branch.nodes.front() = parent.nodes[i];
       }
     }
-    branch.nodes.front() = joint;
-    nodes[branch.nodes[1]].parent = Index(joint);
   }
 
   /// Horton's orders as of Strahler, from tips to bases.
   void find_strahler_orders()
   {
-    std::vector<std::size_t> order_at_node(nodes.size(), 0); // the highest of the branches that begin there
+    std::vector<std::size_t> order_at_node(centers.size(), 0); // the highest of the branches that begin there
     for (std::size_t b = branches.size(); b-- > 0;) {
       Tree_branch& branch = branches[b];
       branch.strahler_order = 1;
@@ -254,117 +245,66 @@ private:
   const std::vector<Section>& m_sections;
 };
 
-/// Makes the skeletons of the objects in a cloud, step by step.
-class Tree_skeletonization
+/// Measures twice: the first time, to find the bridge where each piece is entered. \return these bridges
+std::vector<Point_gap> measure_distances(const Gap_bridging& bridging, const std::vector<std::vector<Index>>& roots,
+                                         Neighbor_graph& graph, Root_distances& distances)
 {
-public:
-  /// O(n log n).
-  /// \param points different points, at least one
-  /// \param root where one of the objects begins; all others begin at their lowest points
-  Tree_skeletonization(const std::vector<Vector3>& points, const std::optional<Vector3>& root)
-      : m_points(points), m_graph(points), m_bridging(points, m_graph), m_distances(points, m_graph)
-  {
-    m_roots = roots_of_objects(m_points, m_graph, m_bridging, root);
-    measure_distances();
-    Slice_growth growth(m_points, m_graph, m_distances);
-    for (const std::vector<Index>& roots : m_roots) {
-      growth.grow(roots, m_slices);
-    }
-    Limb_finder finder(m_slices);
-    finder();
-    m_limbs = finder.limbs();
-    const std::vector<Index> host = fit_sections(finder);
-    m_nodes.emplace(m_points, m_slices, m_sections, m_limbs);
-    m_node_of_point.assign(m_points.size(), no_index);
-    for (Index slice = 0; slice < m_slices.size(); ++slice) {
-      for (Index point : m_slices[slice].points) {
-        m_node_of_point[point] = m_nodes->node_of_slice[host[slice]];
-      }
-    }
-    assign_to_nearest(m_points, m_node_of_point);
+  const auto measure_over = [&](const std::vector<Point_gap>& gaps) {
+    graph.set_bridges(gaps);
+    distances.measure_from(roots);
+  };
+  measure_over(bridging.bridges());
+  std::vector<Point_gap> entries;
+  if (!bridging.bridges().empty()) {
+    entries = bridging.entries(distances);
+    measure_over(entries);
   }
+  return entries;
+}
 
-  /// Moves the trees to `skeleton`, in the coordinates of the input. \return the report without the time
-  Tree_report move_to(const Point_cloud& cloud, Skeleton& skeleton) &&;
-
-private:
-  /// Measures twice: the first time, to find the bridge where each piece is entered.
-  void measure_distances()
-  {
-    measure_over(m_bridging.bridges());
-    if (!m_bridging.bridges().empty()) {
-      m_gaps = m_bridging.entries(m_distances);
-      measure_over(m_gaps);
-    }
-  }
-
-  void measure_over(const std::vector<Point_gap>& gaps)
-  {
-    std::vector<Neighbor_graph::Edge> bridges;
-    bridges.reserve(gaps.size());
-    for (const Point_gap& gap : gaps) {
-      bridges.emplace_back(gap.a, gap.b);
-    }
-    m_graph.set_bridges(bridges);
-    m_distances.measure_from(m_roots);
-  }
-
-  /// \return for every slice the one that has its points
-  std::vector<Index> fit_sections(const Limb_finder& finder)
-  {
-    Section_fitting fitting(m_points, m_slices);
-    const auto fit = [&] {
-      for (const Tree_limb& limb : m_limbs) {
-        fitting.fit(limb);
-      }
-    };
-    fit();
-    fitting.estimate_noise();
-    const std::vector<Index> absorbing = Limb_base_absorption(m_slices, fitting.sections(), m_limbs)();
-    fit();
-    limit_by_pipe_model(fitting);
-    m_sections = fitting.sections();
-    std::vector<Index> host;
-    for (Index slice = 0; slice < m_slices.size(); ++slice) {
-      host.push_back(absorbing[finder.host(slice)]);
-    }
-    return host;
-  }
-
-  /// Where no circle gives the radius, the scatter of the points, leaves among them, is an upper bound. By the pipe
-  /// model, the area of a section is proportional to the length of all that it carries: so the parent gives a bound.
-  void limit_by_pipe_model(Section_fitting& fitting) const
-  {
-    std::vector<double> carried(m_slices.size(), 0);
-    const auto center = [&](Index slice) -> const Vector3& { return fitting.sections()[slice].center; };
-    for (std::size_t limb = m_limbs.size(); limb-- > 0;) {
-      const std::vector<Index>& slices = m_limbs[limb].slices;
-      for (std::size_t i = slices.size(); i-- > 0;) {
-        const Index before = i > 0 ? slices[i - 1] : m_limbs[limb].joint;
-        if (before != no_index) {
-          carried[before] += carried[slices[i]] + (center(slices[i]) - center(before)).norm();
-        }
-      }
-    }
-    for (const Tree_limb& limb : m_limbs) {
-      if (limb.joint != no_index && carried[limb.joint] > 0) {
-        fitting.limit_radii(limb, fitting.sections()[limb.joint].radius / std::sqrt(carried[limb.joint]), carried);
+/// Where no circle gives the radius, the scatter of the points, leaves among them, is an upper bound. By the pipe
+/// model, the area of a section is proportional to the length of all that it carries: so the parent gives a bound.
+void limit_by_pipe_model(const std::vector<Tree_limb>& limbs, Section_fitting& fitting)
+{
+  const std::vector<Section>& sections = fitting.sections();
+  std::vector<double> carried(sections.size(), 0);
+  for (auto limb = limbs.rbegin(); limb != limbs.rend(); ++limb) {
+    for (std::size_t i = limb->slices.size(); i-- > 0;) {
+      const Index slice = limb->slices[i];
+      const Index before = i > 0 ? limb->slices[i - 1] : limb->joint;
+      if (before != no_index) {
+        carried[before] += carried[slice] + (sections[slice].center - sections[before].center).norm();
       }
     }
   }
+  for (const Tree_limb& limb : limbs) {
+    if (limb.joint != no_index && carried[limb.joint] > 0) {
+      fitting.limit_radii(limb, sections[limb.joint].radius / std::sqrt(carried[limb.joint]), carried);
+    }
+  }
+}
 
-  const std::vector<Vector3>& m_points;
-  Neighbor_graph m_graph;
-  Gap_bridging m_bridging;
-  Root_distances m_distances;
-  std::vector<std::vector<Index>> m_roots; // of every object
-  std::vector<Point_gap> m_gaps;
-  std::vector<Slice> m_slices;
-  std::vector<Tree_limb> m_limbs;
-  std::vector<Section> m_sections; // of every slice
-  std::optional<Tree_nodes> m_nodes;
-  std::vector<Index> m_node_of_point;
-};
+/// Fits the sections of all slices of limbs; slices at the base of a limb may go to another one.
+/// \param host of every slice, the one that has its points
+std::vector<Section> fit_sections(const std::vector<Vector3>& points, std::vector<Slice>& slices,
+                                  std::vector<Tree_limb>& limbs, std::vector<Index>& host)
+{
+  Section_fitting fitting(points, slices);
+  const auto fit = [&] {
+    for (const Tree_limb& limb : limbs) {
+      fitting.fit(limb);
+    }
+  };
+  fit();
+  fitting.estimate_noise();
+  const std::vector<Index> absorbing = Limb_base_absorption(slices, fitting.sections(), limbs)();
+  for (Index& slice : host) {
+    slice = absorbing[slice];
+  }
+  fit();
+  limit_by_pipe_model(limbs, fitting);
+  return fitting.sections();
+}
 
 /// The warnings about a scan and its skeleton, one sentence each.
 std::vector<std::string> tree_warnings(const Tree_report& report)
@@ -394,55 +334,94 @@ std::vector<std::string> tree_warnings(const Tree_report& report)
   return result;
 }
 
-Tree_report Tree_skeletonization::move_to(const Point_cloud& cloud, Skeleton& skeleton) &&
+/// Reports on `trees`, in the coordinates of the input, without the time. \param gaps that were bridged
+Tree_report make_report(const Point_cloud& cloud, const Neighbor_graph& graph, const Gap_bridging& bridging,
+                        const std::vector<Point_gap>& gaps, const Tree_nodes& trees)
 {
+  const Normalization& normalization = cloud.normalization;
   Tree_report report;
   report.number_of_points = cloud.input_point.size();
   report.number_of_duplicates = cloud.number_of_duplicates();
   report.number_of_thinned_points = cloud.number_of_thinned_points;
   for (Index point : cloud.input_point) {
-    report.number_of_debris += m_bridging.object(point) == no_index ? 1 : 0;
+    report.number_of_debris += bridging.object(point) == no_index ? 1 : 0;
   }
   std::vector<double> spacings;
-  for (Index point = 0; point < m_points.size(); ++point) {
-    spacings.push_back(m_graph.spacing(point));
+  for (Index point = 0; point < cloud.points.size(); ++point) {
+    spacings.push_back(graph.spacing(point));
   }
-  const Normalization& normalization = cloud.normalization;
-  report.number_of_objects = m_bridging.number_of_objects();
+  report.number_of_objects = bridging.number_of_objects();
   report.spacing = normalization.unit * quantile(std::move(spacings), 0.5);
-  report.number_of_sections = m_nodes->number_of_outcomes;
-  report.number_of_nodes = m_nodes->nodes.size();
+  report.number_of_sections = trees.number_of_outcomes;
+  report.number_of_nodes = trees.centers.size();
   report.number_of_edges = report.number_of_nodes - report.number_of_objects;
-  report.branches = std::move(m_nodes->branches);
+  report.branches = trees.branches;
   for (Tree_branch& branch : report.branches) {
     branch.length *= normalization.unit;
     branch.radius_at_base *= normalization.unit;
     branch.radius_at_tip *= normalization.unit;
   }
-  const auto coordinates = [&](Index point) -> std::array<double, 3> {
-    const Vector3 p = normalization.to_input(cloud.points[point]);
-    return {p.x(), p.y(), p.z()};
-  };
-  for (const Point_gap& gap : m_gaps) {
-    report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
+  for (const Point_gap& gap : gaps) {
+    report.gaps.push_back({normalization.to_input(cloud.points[gap.a]), normalization.to_input(cloud.points[gap.b]),
+                           normalization.unit * gap.length});
   }
   report.warnings = tree_warnings(report);
-  skeleton = {};
-  for (const Tree_node& node : m_nodes->nodes) {
-    if (node.parent != no_index) {
-      skeleton.edges.push_back({node.parent, Index(skeleton.points.size())});
+  return report;
+}
+
+/// The trees in the coordinates of the input. \param node_of_point for every point of `cloud`
+Skeleton to_skeleton(const Point_cloud& cloud, const Tree_nodes& trees, const std::vector<Index>& node_of_point)
+{
+  Skeleton skeleton;
+  for (std::size_t node = 0; node < trees.centers.size(); ++node) {
+    skeleton.points.push_back(cloud.normalization.to_input(trees.centers[node]));
+    skeleton.radii.push_back(cloud.normalization.unit * trees.radii[node]);
+  }
+  for (const Tree_branch& branch : trees.branches) {
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      skeleton.edges.push_back({Index(branch.nodes[i - 1]), Index(branch.nodes[i])});
     }
-    skeleton.points.push_back(normalization.to_input(node.position));
-    skeleton.radii.push_back(normalization.unit * node.radius);
   }
   skeleton.is_joined.assign(skeleton.edges.size(), 0);
   skeleton.is_opening.assign(skeleton.points.size(), 0);
   skeleton.significance = significance_levels(skeleton);
   skeleton.vertices.resize(skeleton.points.size());
   for (Index number = 0; number < cloud.input_point.size(); ++number) {
-    skeleton.vertices[m_node_of_point[cloud.input_point[number]]].push_back(number);
+    skeleton.vertices[node_of_point[cloud.input_point[number]]].push_back(number);
   }
-  return report;
+  return skeleton;
+}
+
+/// Makes the skeletons of the objects in a cloud, step by step. O(n log n).
+/// \param root where one of the objects begins; all others begin at their lowest points
+/// \return the report without the time
+Tree_report skeletonize_cloud(const Point_cloud& cloud, const std::optional<Vector3>& root, Skeleton& skeleton)
+{
+  const std::vector<Vector3>& points = cloud.points;
+  Neighbor_graph graph(points);
+  const Gap_bridging bridging(points, graph);
+  const std::vector<std::vector<Index>> roots = roots_of_objects(points, graph, bridging, root);
+  Root_distances distances(points, graph);
+  const std::vector<Point_gap> gaps = measure_distances(bridging, roots, graph, distances);
+  std::vector<Slice> slices;
+  Slice_growth growth(points, graph, distances);
+  for (const std::vector<Index>& of_object : roots) {
+    growth.grow(of_object, slices);
+  }
+  Limb_finder finder(slices);
+  std::vector<Tree_limb> limbs = finder.limbs();
+  std::vector<Index> host = finder.hosts();
+  const std::vector<Section> sections = fit_sections(points, slices, limbs, host);
+  const Tree_nodes trees(points, slices, sections, limbs);
+  std::vector<Index> node_of_point(points.size(), no_index);
+  for (Index slice = 0; slice < slices.size(); ++slice) {
+    for (Index point : slices[slice].points) {
+      node_of_point[point] = trees.node_of_slice[host[slice]];
+    }
+  }
+  assign_to_nearest(points, node_of_point);
+  skeleton = to_skeleton(cloud, trees, node_of_point);
+  return make_report(cloud, graph, bridging, gaps, trees);
 }
 
 /// How far `points` deviate from the bark: from quadrics through some of them and their neighbors, at the quarter of
@@ -520,7 +499,7 @@ Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::opt
       throw Input_error("the root has a coordinate that is not finite: correct it or leave it out");
     }
   }
-  Tree_report report = Tree_skeletonization(cloud.points, place).move_to(cloud, skeleton);
+  Tree_report report = skeletonize_cloud(cloud, place, skeleton);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
