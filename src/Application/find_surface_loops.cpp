@@ -4,10 +4,10 @@
 // Collects loops of all kinds and chooses among them.
 
 #include "Application/Loop_classes.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Local/Covering_search.h>
 #include <CSCD/Local/Local_separator_finder.h>
-#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Options.h>
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Packing/Separator_packing.h>

@@ -3,10 +3,10 @@
 //
 // Places joints, and finds which of them move a vertex.
 
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector3.h>

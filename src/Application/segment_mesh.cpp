@@ -4,10 +4,10 @@
 // The definitions of estimate_shape_diameters.h, segment_mesh.h and Part_merging.h.
 
 #include "Application/Part_merging.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
-#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
