@@ -39,20 +39,6 @@ struct Measured_input
   bool is_mesh = false;
 };
 
-/// Refuses at compile time named parameters that do not apply to a surface of this type.
-template <class Surface, class NamedParameters>
-constexpr void check_evaluation_parameters()
-{
-  if constexpr (is_triangle_mesh_v<Surface>) {
-    check_triangle_mesh<Surface>();
-    check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::resolution_t,
-                           internal_np::use_skeleton_radii_t>();
-  } else {
-    check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::resolution_t,
-                           internal_np::use_skeleton_radii_t>();
-  }
-}
-
 template <class NamedParameters>
 Evaluation_parameters evaluation_parameters(const NamedParameters& np)
 {
@@ -65,18 +51,21 @@ Evaluation_parameters evaluation_parameters(const NamedParameters& np)
   return result;
 }
 
-/// Reads a mesh or a range of points.
+/// Reads a mesh or a range of points; refuses at compile time named parameters that do not apply to it.
 template <class Surface, class NamedParameters>
 Measured_input measured_input(const Surface& surface, const NamedParameters& np)
 {
-  Measured_input result;
   if constexpr (is_triangle_mesh_v<Surface>) {
+    check_triangle_mesh<Surface>();
+    check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::resolution_t,
+                           internal_np::use_skeleton_radii_t>();
     auto collected = collect_triangles(surface, vertex_point_map(surface, np));
-    result = {std::move(collected.triangles), std::move(collected.pairing), {}, true};
+    return {std::move(collected.triangles), std::move(collected.pairing), {}, true};
   } else {
-    result.points = coordinates_of(surface, point_map(surface, np));
+    check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::resolution_t,
+                           internal_np::use_skeleton_radii_t>();
+    return {{}, {}, coordinates_of(surface, point_map(surface, np)), false};
   }
-  return result;
 }
 
 /// Estimates the radius of each node from points of the surface alone. Each point is assigned to the nearest point of
@@ -141,7 +130,6 @@ template <class Surface, class Skeleton, class NamedParameters = parameters::Def
 Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skeleton,
                                     const NamedParameters& np = parameters::default_values())
 {
-  internal::check_evaluation_parameters<Surface, NamedParameters>();
   return internal::evaluate_skeleton(internal::measured_input(surface, np), internal::index_skeleton(skeleton),
                                      internal::evaluation_parameters(np));
 }
