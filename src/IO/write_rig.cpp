@@ -10,6 +10,7 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>
@@ -168,14 +169,9 @@ private:
   std::size_t add_positions()
   {
     const std::size_t accessor = add_vectors(m_surface.points);
-    Vector3 least = m_surface.points.front();
-    Vector3 greatest = least;
-    for (const Vector3& point : m_surface.points) {
-      least = least.cwiseMin(point);
-      greatest = greatest.cwiseMax(point);
-    }
-    m_document["accessors"][accessor]["min"] = to_json(least);
-    m_document["accessors"][accessor]["max"] = to_json(greatest);
+    const Bounding_box box(m_surface.points);
+    m_document["accessors"][accessor]["min"] = to_json(box.min());
+    m_document["accessors"][accessor]["max"] = to_json(box.max());
     return accessor;
   }
 

@@ -259,14 +259,11 @@ inline std::size_t max_number_of_cells(const Skeleton& skeleton)
 /// Triangulates the zero set of `field` on a lattice, seeded along `skeleton`.
 /// Where that takes more cells than allowed, since radii or the skeleton are huge, the lattice is made coarser.
 /// \param cell_size of the lattice, positive
-/// \param maximum_number the greatest number of cells; 0 for that of the skeleton
 template <class Field>
-Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, double cell_size,
-                                std::size_t maximum_number = 0)
+Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, double cell_size)
 {
-  maximum_number = maximum_number > 0 ? maximum_number : max_number_of_cells(skeleton);
   for (;; cell_size *= 2) {
-    Isosurface_tracker<Field> tracker(field, cell_size, maximum_number);
+    Isosurface_tracker<Field> tracker(field, cell_size, max_number_of_cells(skeleton));
     constexpr std::size_t max_number_of_samples = 1 << 20; // as many as cells at most
     const std::vector<Edge_sample> samples = sample_edges(skeleton, cell_size, max_number_of_samples);
     std::size_t number_unresolved = 0;

@@ -139,11 +139,8 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
   check_skeleton(first, "first");
   check_skeleton(second, "second");
   const Normalization normalization = common_normalization(first, second);
-  for (Skeleton* skeleton : {&first, &second}) {
-    for (Vector3& point : skeleton->points) {
-      point = normalization.from_input(point);
-    }
-  }
+  normalize(first.points, normalization);
+  normalize(second.points, normalization);
   const Compared_skeleton a(std::move(first));
   const Compared_skeleton b(std::move(second));
   Skeleton_comparison result;

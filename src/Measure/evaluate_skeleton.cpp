@@ -20,6 +20,7 @@
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -47,11 +48,8 @@ namespace {
 Normalization normalize_diagonal(std::vector<Vector3>& points)
 {
   const Normalization to_cube = normalize_extent(points);
-  Vector3 greatest = points.front();
-  for (const Vector3& point : points) {
-    greatest = greatest.cwiseMax(point);
-  }
-  const Normalization to_diagonal{Vector3::Zero(), 2 * greatest.norm()}; // the box is centered already
+  const Normalization to_diagonal{Vector3::Zero(),
+                                  2 * Bounding_box(points).max().norm()}; // the box is centered already
   normalize(points, to_diagonal);
   return to_cube.then(to_diagonal);
 }

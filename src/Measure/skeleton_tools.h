@@ -73,8 +73,7 @@ struct Edge_sample
 /// O(e + l / spacing) for e edges of total length l.
 /// \param max_number of samples; the spacing is made greater if there would be more
 /// \pre `spacing` is positive
-inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double spacing,
-                                             std::size_t max_number = std::numeric_limits<std::size_t>::max())
+inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double spacing, std::size_t max_number)
 {
   double total = 0;
   for (const std::array<Index, 2>& edge : skeleton.edges) {

@@ -18,6 +18,7 @@
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/property_map.h>
 
@@ -470,17 +471,15 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
     return std::move(cloud);
   }
   std::vector<Index> representative(cloud.points.size(), no_index);
-  std::vector<Vector3> points;
   for (Index i = 0; i < kept.size(); ++i) {
     representative[kept[i]] = i;
-    points.push_back(cloud.points[kept[i]]);
   }
   assign_to_nearest(cloud.points, representative);
   for (Index& point : cloud.input_point) {
     point = representative[point];
   }
-  cloud.number_of_thinned_points += cloud.points.size() - points.size();
-  cloud.points = std::move(points);
+  cloud.number_of_thinned_points += cloud.points.size() - kept.size();
+  cloud.points = reordered(cloud.points, kept);
   return std::move(cloud);
 }
 
