@@ -31,12 +31,6 @@ constexpr const char* remedy_of_damage = "fetch or write the file again";
   fail_in_file(filename, "compressed data are damaged", remedy_of_damage);
 }
 
-[[noreturn, maybe_unused]] void fail_without_zlib(const std::string& filename)
-{
-  fail_in_file(filename, "is compressed, and this was built without zlib",
-               "install zlib1g-dev and build again, or write the file without compression");
-}
-
 } // namespace
 
 #ifdef CSCD_WITH_ZLIB
@@ -97,7 +91,11 @@ struct Inflating_stream::State
 /// There is none.
 struct Inflating_stream::State
 {
-  State(std::istream&, const std::string& filename) { fail_without_zlib(filename); }
+  State(std::istream&, const std::string& filename)
+  {
+    fail_in_file(filename, "is compressed, and this was built without zlib",
+                 "install zlib1g-dev and build again, or write the file without compression");
+  }
   std::size_t read_some(char*, std::size_t) { return 0; }
   void fail_at_end() const {}
 };

@@ -61,8 +61,8 @@ struct File_format
   void (*write)(std::ostream& out, const Skeleton_content& skeleton); ///< for formats of skeletons
 };
 
-/// The format of a skeleton in the file `filename`. \throw File_error if its ending names none
-const File_format& skeleton_format(const std::string& filename);
+/// The format that holds some of `contents` and that the ending of `filename` names. \throw File_error if there is none
+const File_format& get_format(const std::string& filename, unsigned contents);
 
 } // namespace CSCD::internal
 

@@ -25,11 +25,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* remedy_of_file = "correct or write the file again";
-
-Vector3 next_point(Text_scanner& scanner)
-{
-  return scanner.point_in_line("a node has too few coordinates");
-}
+constexpr const char* too_few_numbers = "a node has too few coordinates";
 
 /// Reads the next integer of this line. \throw File_error if there is none
 std::int64_t next_integer(Text_scanner& scanner, const char* meaning)
@@ -54,7 +50,7 @@ Shape_file parse_gel_graph(std::string_view content, const std::string& filename
   while (scanner.skip_blanks('#')) {
     const std::string_view statement = scanner.word();
     if (statement == "n") {
-      shape.points.push_back(next_point(scanner));
+      shape.points.push_back(scanner.point_in_line(too_few_numbers));
     } else if (statement == "c") {
       const std::int64_t source = next_integer(scanner, "a node index");
       shape.lines.push_back({source, next_integer(scanner, "a node index")});
@@ -74,7 +70,7 @@ Shape_file parse_polylines(std::string_view content, const std::string& filename
   boost::unordered_map<std::array<double, 3>, std::int64_t> nodes;
   const auto next_node = [&] {
     scanner.expect("the last point of a poly-line");
-    const Vector3 point = next_point(scanner) + Vector3::Zero(); // makes -0 equal to 0
+    const Vector3 point = scanner.point_in_line(too_few_numbers) + Vector3::Zero(); // makes -0 equal to 0
     const auto [place, is_new] =
         nodes.try_emplace({point.x(), point.y(), point.z()}, std::int64_t(shape.points.size()));
     if (is_new) {
@@ -116,8 +112,8 @@ Shape_file parse_swc(std::string_view content, const std::string& filename, unsi
   const auto read_node = [&] {
     const std::int64_t id = next_integer(scanner, identifier);
     next_integer(scanner, "the type of a node");
-    const Vector3 point = next_point(scanner);
-    scanner.expect_in_line("a node has too few coordinates");
+    const Vector3 point = scanner.point_in_line(too_few_numbers);
+    scanner.expect_in_line(too_few_numbers);
     shape.radii.push_back(scanner.coordinate());
     const std::int64_t parent = next_integer(scanner, "the parent of a node");
     if (!nodes.emplace(id, std::int64_t(shape.points.size())).second) {

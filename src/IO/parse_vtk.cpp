@@ -282,20 +282,14 @@ private:
     return result;
   }
 
-  Number_type type() const
-  {
-    const Number_type result = number_type(m_xml.attribute("type"));
-    if (!result.is_valid()) {
-      m_collector.fail("an array has an unknown type");
-    }
-    return result;
-  }
-
   Numbers binary_numbers(Encoded_bytes bytes)
   {
-    const Number_type its_type = type();
+    const Number_type type = number_type(m_xml.attribute("type"));
+    if (!type.is_valid()) {
+      m_collector.fail("an array has an unknown type");
+    }
     const std::string content = m_is_compressed ? decompress(bytes) : take(bytes);
-    return to_vector({content.data(), its_type, m_order, its_type.size, content.size() / its_type.size});
+    return to_vector({content.data(), type, m_order, type.size, content.size() / type.size});
   }
 
   /// Counts bytes of arrays. \throw File_error if they are more than the file can hold

@@ -94,19 +94,6 @@ const File_format* find_format(const std::string& filename, unsigned contents)
   return found == formats.end() ? nullptr : found;
 }
 
-/// The format that holds some of `contents` and that the ending of `filename` names. \throw File_error if there is none
-const File_format& get_format(const std::string& filename, unsigned contents)
-{
-  const bool may_be_compressed = contents != skeleton_content;
-  const File_format* const format =
-      find_format(may_be_compressed ? without_compression_ending(filename) : filename, contents);
-  if (format == nullptr) {
-    fail_in_file(filename, "the ending names no known format",
-                 "use one of " + boost::algorithm::join(endings(contents), " "));
-  }
-  return *format;
-}
-
 /// The number of bytes that are left in `in`, or 0 where that is not known, as of a pipe.
 std::size_t remaining_size(std::istream& in)
 {
@@ -210,9 +197,16 @@ void check_points(const std::vector<Vector3>& points, const std::string& filenam
   }
 }
 
-const File_format& skeleton_format(const std::string& filename)
+const File_format& get_format(const std::string& filename, unsigned contents)
 {
-  return get_format(filename, skeleton_content);
+  const bool may_be_compressed = contents != skeleton_content;
+  const File_format* const format =
+      find_format(may_be_compressed ? without_compression_ending(filename) : filename, contents);
+  if (format == nullptr) {
+    fail_in_file(filename, "the ending names no known format",
+                 "use one of " + boost::algorithm::join(endings(contents), " "));
+  }
+  return *format;
 }
 
 std::string read_content(std::istream& in, const std::string& name, const std::string& format)
@@ -322,7 +316,7 @@ std::vector<std::string> point_endings()
 
 void check_skeleton_filename(const std::string& filename)
 {
-  internal::skeleton_format(filename);
+  internal::get_format(filename, internal::skeleton_content);
 }
 
 } // namespace CSCD

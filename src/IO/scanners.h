@@ -116,13 +116,6 @@ struct Number_view
   std::size_t stride = 0;
   std::size_t count = 0;
 
-  /// \pre i < count
-  double operator[](std::size_t i) const
-  {
-    return with_number_type(
-        type, [this, i](auto zero) { return double(stored_number<decltype(zero)>(bytes + i * stride, order)); });
-  }
-
   /// Calls `use(i, number)` for all of them in their order.
   template <class Use>
   void for_each(const Use& use) const
@@ -148,8 +141,6 @@ public:
 
   /// The size of the rest of the data, in bytes.
   std::size_t remaining() const { return m_bytes.size(); }
-  /// Where the data that are left begin.
-  const char* data() const { return m_bytes.data(); }
 
   /// Reads a number. \throw File_error if the data end before
   template <class Number>
@@ -170,7 +161,10 @@ public:
   }
 
   /// Reads a number of any type. \pre the type is valid \throw File_error if the data end before
-  double number(const Number_type& type) { return Number_view{skip(type.size), type, m_order, 0, 1}[0]; }
+  double number(const Number_type& type)
+  {
+    return with_number_type(type, [this](auto zero) { return double(number<decltype(zero)>()); });
+  }
 
   /// Reads `count` numbers, one behind the other. \throw File_error if the data end before
   Number_view numbers(const Number_type& type, std::size_t count)
@@ -483,7 +477,7 @@ public:
       const bool is_comment = m_text.substr(begin, comment.size()) == comment;
       const std::size_t end = is_comment ? m_text.find("-->", begin) : end_of_tag(begin);
       if (end == std::string_view::npos) {
-        fail("an XML tag does not end");
+        throw File_error(m_filename + ": an XML tag does not end; fetch or write the file again");
       }
       m_end = end + (is_comment ? 3 : 1);
       const char first = m_text[begin + 1];
@@ -522,12 +516,6 @@ public:
 
   /// The text up to the next tag.
   std::string_view content() const { return m_text.substr(m_end, m_text.find('<', m_end) - m_end); }
-
-  /// \throw File_error naming the file and `fault`
-  [[noreturn]] void fail(const std::string& fault) const
-  {
-    throw File_error(m_filename + ": " + fault + "; fetch or write the file again");
-  }
 
 private:
   /// The `>` that ends the tag, which is not one within quotes.

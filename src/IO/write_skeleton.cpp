@@ -94,11 +94,6 @@ void write_vtp_cells(std::ostream& out, const char* tag, const std::vector<Skele
 
 } // namespace
 
-nlohmann::ordered_json json_number(double number)
-{
-  return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
-}
-
 nlohmann::ordered_json json_branches(const std::vector<Skeleton_branch>& branches)
 {
   nlohmann::ordered_json result = nlohmann::ordered_json::array();
@@ -107,14 +102,14 @@ nlohmann::ordered_json json_branches(const std::vector<Skeleton_branch>& branche
                                   {"ends", {name(branch.ends[0]), name(branch.ends[1])}},
                                   {"length", branch.length},
                                   {"chord", branch.chord},
-                                  {"tortuosity", json_number(branch.tortuosity())},
-                                  {"min_radius", json_number(branch.min_radius)},
-                                  {"mean_radius", json_number(branch.mean_radius)},
-                                  {"max_radius", json_number(branch.max_radius)},
-                                  {"end_radii", {json_number(branch.end_radii[0]), json_number(branch.end_radii[1])}},
-                                  {"cone_area", json_number(branch.cone_area)},
-                                  {"cone_volume", json_number(branch.cone_volume)},
-                                  {"significance", json_number(branch.significance)}};
+                                  {"tortuosity", branch.tortuosity()},
+                                  {"min_radius", branch.min_radius},
+                                  {"mean_radius", branch.mean_radius},
+                                  {"max_radius", branch.max_radius},
+                                  {"end_radii", branch.end_radii},
+                                  {"cone_area", branch.cone_area},
+                                  {"cone_volume", branch.cone_volume},
+                                  {"significance", branch.significance}};
     if (!std::isnan(branch.volume)) {
       object["surface_area"] = branch.surface_area;
       object["volume"] = branch.volume;
@@ -309,12 +304,12 @@ void write_vtp(std::ostream& out, const internal::Skeleton_content& skeleton)
 
 void write_skeleton(std::ostream& out, const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  internal::skeleton_format(filename).write(out, skeleton);
+  internal::get_format(filename, internal::skeleton_content).write(out, skeleton);
 }
 
 void write_skeleton(const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  const internal::File_format& format = internal::skeleton_format(filename); // before there is any file
+  const auto& format = internal::get_format(filename, internal::skeleton_content); // before there is any file
   write_file(filename, [&](std::ostream& out) { format.write(out, skeleton); });
 }
 

@@ -14,10 +14,8 @@
 
 namespace CSCD::internal {
 
-/// A number; null if it is infinite or not known.
-nlohmann::ordered_json json_number(double number);
-
-/// The branches as objects. Members that belong to a surface, a root or a tree are left out where there is none.
+/// The branches as objects; numbers that are infinite or not known are written as null. Members that belong to a
+/// surface, a root or a tree are left out where there is none.
 nlohmann::ordered_json json_branches(const std::vector<Skeleton_branch>& branches);
 
 } // namespace CSCD::internal
