@@ -30,10 +30,9 @@ set(cscd_io_sources
     IO/parse_skeletons.cpp
     IO/parse_vtk.cpp
     IO/read_files.cpp
-    IO/read_volume.cpp
     IO/repair_mesh.cpp
+    IO/volumes.cpp
     IO/write_file.cpp
-    IO/write_nrrd.cpp
     IO/write_rig.cpp
     IO/write_skeleton.cpp
     IO/write_tables.cpp)
