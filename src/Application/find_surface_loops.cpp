@@ -78,7 +78,11 @@ private:
   {
     double longest = 0;
     for (int level = 1; level <= number_of_levels; ++level) {
-      const double piece = longest_piece(level * step);
+      m_is_passed.clear();
+      double piece = 0; // the longest one
+      for (const Index face : m_faces) {
+        piece = std::max(piece, piece_length(face, level * step));
+      }
       if (piece < (1 - tolerance) * length) {
         return level > min_levels ? longest : 0;
       }
@@ -172,18 +176,8 @@ private:
 
   bool is_left(Index vertex) const { return !std::signbit(m_height[vertex]); }
 
-  /// The length of the longest connected piece of the curve at the signed distance `level`.
-  double longest_piece(double level)
-  {
-    double longest = 0;
-    m_is_passed.clear();
-    for (const Index face : m_faces) {
-      longest = std::max(longest, piece_length(face, level));
-    }
-    return longest;
-  }
-
-  /// The length of the piece of that curve that passes through `face`; 0 if none does, or it was passed before.
+  /// The length of the connected piece of the curve at the signed distance `level` that passes through `face`; 0 if
+  /// none does, or it was passed before.
   double piece_length(Index face, double level)
   {
     if (m_is_passed.is_marked(face)) {

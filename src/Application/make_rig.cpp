@@ -55,7 +55,7 @@ public:
       std::reverse(m_children[node].begin(), m_children[node].end());
       if (m_heir[node] == no_index) {
         m_heir[node] = m_heir[forest.parent(node)];
-      } else if (is_end(forest, node)) {
+      } else if (forest.is_root(node) || m_children[node].size() != 1) { // chains begin or end there
         m_is_joint[node] = 1;
         for (const Index child : m_children[node]) {
           place_along(chain_from(node, child));
@@ -81,12 +81,6 @@ private:
   static constexpr double start_over_radius = 0.25;
   /// A node that is nearer to a joint's place, relative to the length of the limb, is at it.
   static constexpr double rounding = 1e-9;
-
-  /// Whether chains begin or end at `node`.
-  bool is_end(const Rooted_forest& forest, Index node) const
-  {
-    return forest.is_root(node) || m_children[node].size() != 1;
-  }
 
   Chain chain_from(Index end, Index child) const
   {
@@ -319,13 +313,6 @@ void smooth(const Assigned_surface& surface, double distance, std::vector<Rig::I
   }
 }
 
-/// The largest side of the box of `points`.
-double size_of(const std::vector<Vector3>& points)
-{
-  const Bounding_box box(points);
-  return (box.max() - box.min()).maxCoeff();
-}
-
 /// Integrals over a solid of 1, of the position, and of its square, about some origin.
 struct Solid_moments
 {
@@ -511,7 +498,8 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 {
   CGAL_precondition(parts.number_of_nodes() > 0 && parts.has_radii());
   constexpr double spread = 0.25; // in mean radii: seams vanish, and weights keep to their limbs
-  const double size = size_of(surface.points);
+  const Bounding_box box(surface.points);
+  const double size = (box.max() - box.min()).maxCoeff();
   std::optional<Rig_axis> axis = find_spine(parts, surface, root);
   if (!axis) {
     axis = axis_of_limbs(parts, surface, size, root);

@@ -137,13 +137,15 @@ private:
       fail("an element is not an object");
     }
     const auto place = object.find(name);
-    if (place == object.end()) {
-      return by_default;
+    return place == object.end() ? by_default : to_index(*place, name);
+  }
+
+  std::size_t to_index(const Json& json, const std::string& name) const
+  {
+    if (!json.is_number_unsigned()) {
+      fail(name + " is not an integer from 0 on");
     }
-    if (!place->is_number_unsigned()) {
-      fail(std::string(name) + " is not an integer from 0 on");
-    }
-    return place->get<std::size_t>();
+    return json.get<std::size_t>();
   }
 
   const Json& element(const char* name, std::size_t i) const
@@ -303,7 +305,7 @@ private:
         matrices = elements<Matrix>(i, joints.size(), "f", "the matrices of a skin are not made of floats");
       }
       for (const Json& joint : joints) {
-        const std::size_t node = to_index(joint);
+        const std::size_t node = to_index(joint, "a node index");
         Eigen::Affine3d& map = maps.emplace_back(Eigen::Affine3d::Identity());
         if (node < m_place.size() && m_place[node]) {
           map = maps.size() <= matrices.size() ? *m_place[node] * map_of_matrix(matrices[maps.size() - 1])
@@ -418,7 +420,7 @@ private:
     std::vector<std::pair<std::size_t, Eigen::Affine3d>> open;
     const std::size_t scene = number(m_json, "scene", 0);
     for (const Json& node : scene < list("scenes").size() ? list(list("scenes")[scene], "nodes") : Json::array()) {
-      open.emplace_back(to_index(node), Eigen::Affine3d::Identity());
+      open.emplace_back(to_index(node, "a node index"), Eigen::Affine3d::Identity());
     }
     m_place.resize(list("nodes").size());
     std::vector<std::size_t> nodes;
@@ -432,7 +434,7 @@ private:
       m_place[i] = above * map_of(node);
       nodes.push_back(i);
       for (const Json& child : list(node, "children")) {
-        open.emplace_back(to_index(child), *m_place[i]);
+        open.emplace_back(to_index(child, "a node index"), *m_place[i]);
       }
     }
     place_joints();
@@ -446,14 +448,6 @@ private:
         }
       }
     }
-  }
-
-  std::size_t to_index(const Json& json) const
-  {
-    if (!json.is_number_unsigned()) {
-      fail("a node index is not an integer from 0 on");
-    }
-    return json.get<std::size_t>();
   }
 
   std::string_view m_content;

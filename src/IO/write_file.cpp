@@ -52,13 +52,6 @@ std::filesystem::path place_of(const std::string& filename)
   return place;
 }
 
-/// A name next to `path` that no other process uses, without the name of `path`, which may be as long as names can be.
-std::filesystem::path temporary_name(const std::filesystem::path& path)
-{
-  std::random_device device;
-  return path.parent_path() / (".cscd_" + std::to_string(device()) + ".part");
-}
-
 } // namespace
 
 File_group::~File_group()
@@ -82,8 +75,10 @@ void File_group::write(const std::string& filename, const Write& write)
     return;
   }
   const fs::path place = place_of(filename);
-  m_files.push_back({filename, place, temporary_name(place)});
-  const fs::path& temporary = m_files.back().temporary;
+  // Next to the file, a name that no other process uses; not with that of the file, which may be as long as names can
+  // be.
+  const fs::path temporary = place.parent_path() / (".cscd_" + std::to_string(std::random_device()()) + ".part");
+  m_files.push_back({filename, place, temporary});
   if (fs::exists(status)) {
     // Before the file holds anything, only those who may read the old one get to read it.
     write_directly(temporary, filename, [](std::ostream&) {});

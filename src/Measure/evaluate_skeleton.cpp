@@ -193,14 +193,6 @@ struct Measured_body
   std::optional<Solid_queries> queries;
 };
 
-/// The angle of the turn of the path a, b, c at b, from 0 to pi; 0 where two of the points are equal.
-double turning_angle(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const Vector3 before = b - a;
-  const Vector3 after = c - b;
-  return std::atan2(before.cross(after).norm(), before.dot(after));
-}
-
 /// Measures how much the branches turn: the sum of the turning angles at nodes of two edges, over the length of the
 /// edges that touch such nodes, half for each end, in local radii.
 void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
@@ -212,14 +204,13 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
     if (neighbors[v].size() != 2) {
       continue;
     }
-    const Vector3& a = skeleton.points[neighbors[v][0]];
-    const Vector3& b = skeleton.points[v];
-    const Vector3& c = skeleton.points[neighbors[v][1]];
-    const double angle = turning_angle(a, b, c);
+    const Vector3 before = skeleton.points[v] - skeleton.points[neighbors[v][0]];
+    const Vector3 after = skeleton.points[neighbors[v][1]] - skeleton.points[v];
+    const double angle = std::atan2(before.cross(after).norm(), before.dot(after)); // 0 if two of the points are equal
     counts.max_turning = std::fmax(counts.max_turning, angle);
     if (skeleton.radii[v] > 0) {
       sum += angle;
-      length += ((a - b).norm() + (c - b).norm()) / 2 / skeleton.radii[v];
+      length += (before.norm() + after.norm()) / 2 / skeleton.radii[v];
     }
   }
   if (length > 0) {

@@ -66,7 +66,6 @@ public:
     index_edges();
   }
 
-  Index number_of_vertices() const { return Index(m_spacing.size()); }
   CGAL::Iterator_range<const Index*> neighbors(Index point) const { return m_neighbors[point]; }
   /// The mean distance of the nearest points, a median over the neighborhood.
   double spacing(Index point) const { return m_spacing[point]; }

@@ -244,7 +244,6 @@ private:
   static constexpr std::size_t min_scatter_points = 4;
 
   Section& section(const Tree_limb& limb, std::size_t i) { return m_sections[limb.slices[i]]; }
-  const Section& section(const Tree_limb& limb, std::size_t i) const { return m_sections[limb.slices[i]]; }
 
   /// The first and the last place in a limb that are at most `reach` from `i`.
   static std::pair<std::size_t, std::size_t> window(const Tree_limb& limb, std::size_t i, std::size_t reach)
