@@ -32,8 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -141,13 +139,54 @@ std::vector<double> estimate_radii(const std::vector<Vector3>& points, const Ske
 
 namespace {
 
-/// The surface of a mesh and the body that it bounds; the diagonal of the bounding box is 1. Borders are bridged, so
-/// that there is a body; components that face inwards are turned.
-struct Measured_body
+/// The surface that a skeleton is measured against, a mesh or points; the diagonal of the bounding box is 1.
+class Measured_surface
 {
+public:
   /// Near linear.
-  /// \throw Input_error if the triangles have no extent
-  Measured_body(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+  /// \throw Input_error if a mesh has no extent, or if points are missing, not finite, or all equal
+  explicit Measured_surface(Measured_input&& input) : points(std::move(input.points))
+  {
+    if (input.is_mesh) {
+      bound_body(std::move(input.triangles), std::move(input.pairing));
+      return;
+    }
+    if (points.empty()) {
+      throw Input_error("the input has no points to measure the skeleton against: check how it was read");
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i].allFinite()) {
+        throw Input_error("point " + std::to_string(i) +
+                          " has a coordinate that is not finite: correct it or remove the point");
+      }
+    }
+    normalization = normalize_diagonal(points);
+    m_tree.emplace(points);
+  }
+
+  /// The distance of a point; neighboring points are answered faster one after the other.
+  double distance(const Vector3& point)
+  {
+    if (queries) {
+      const Surface_point nearest = queries->closest_point(point, m_near);
+      m_near = nearest.face;
+      return (nearest.point - point).norm();
+    }
+    double distance = 0;
+    m_tree->for_each_nearest(point, 1, [&distance](Index, double square) { distance = std::sqrt(square); });
+    return distance;
+  }
+
+  Normalization normalization;
+  std::vector<Vector3> points;          ///< of a mesh, the vertices that have a face, neighbors near each other
+  std::size_t number_of_components = 0; ///< of a mesh, as all that follow
+  std::size_t number_of_borders = 0;    ///< before they were bridged
+  Triangulated_surface surface;         ///< closed
+  std::optional<Solid_queries> queries; ///< none for points
+
+private:
+  /// Bridges the borders of a mesh, so that there is a body, and turns components that face inwards.
+  void bound_body(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
   {
     normalization = normalize_diagonal(triangles.points);
     std::size_t number_of_points = triangles.points.size();
@@ -175,22 +214,9 @@ struct Measured_body
     CGAL_postcondition(!surface.has_defect());
     queries.emplace(surface);
   }
-  Measured_body(const Measured_body&) = delete;
-  Measured_body& operator=(const Measured_body&) = delete;
-  ~Measured_body() = default;
 
-  /// The number of handles of the bridged surface, over all components.
-  std::size_t genus() const
-  {
-    return genus_of_closed_surface(number_of_components, surface.number_of_vertices(), surface.number_of_faces());
-  }
-
-  Normalization normalization;
-  std::vector<Vector3> points; ///< the vertices that have a face, neighbors near each other
-  std::size_t number_of_components = 0;
-  std::size_t number_of_borders = 0;
-  Triangulated_surface surface;
-  std::optional<Solid_queries> queries;
+  std::optional<Point_tree> m_tree; ///< none for a mesh
+  Index m_near = no_index;          ///< the face of the last answer
 };
 
 /// Measures how much the branches turn: the sum of the turning angles at nodes of two edges, over the length of the
@@ -218,52 +244,10 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
   }
 }
 
-/// The surface that a skeleton is measured against; the diagonal of the bounding box is 1.
-struct Measured_surface
-{
-  Normalization normalization;
-  std::vector<Vector3> points;
-  /// The distance of a point; neighboring points are answered faster one after the other.
-  std::function<double(const Vector3&)> distance;
-  std::unique_ptr<const Measured_body> body; ///< null for points
-};
-
-/// \throw Input_error if a mesh has no extent, or if points are missing, not finite, or all equal
-Measured_surface measured_surface(Measured_input&& input)
-{
-  if (input.is_mesh) {
-    auto body = std::make_unique<const Measured_body>(std::move(input.triangles), std::move(input.pairing));
-    auto distance = [&queries = *body->queries, near = no_index](const Vector3& point) mutable {
-      const Surface_point nearest = queries.closest_point(point, near);
-      near = nearest.face;
-      return (nearest.point - point).norm();
-    };
-    return {body->normalization, body->points, std::move(distance), std::move(body)};
-  }
-  std::vector<Vector3> points = std::move(input.points);
-  if (points.empty()) {
-    throw Input_error("the input has no points to measure the skeleton against: check how it was read");
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].allFinite()) {
-      throw Input_error("point " + std::to_string(i) +
-                        " has a coordinate that is not finite: correct it or remove the point");
-    }
-  }
-  const Normalization normalization = normalize_diagonal(points);
-  const auto tree = std::make_shared<const Point_tree>(points);
-  auto distance = [tree](const Vector3& point) {
-    double square = 0;
-    tree->for_each_nearest(point, 1, [&square](Index, double its_square) { square = its_square; });
-    return std::sqrt(square);
-  };
-  return {normalization, std::move(points), std::move(distance), {}};
-}
-
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
 /// are chosen: one of each stretch of the numbering, at a place that follows the golden ratio, so that the sequence of
 /// the faces of a cell does not matter.
-void measure_reverse(const Triangulated_surface& surface, const Measured_surface& measured, Reconstruction_error& error)
+void measure_reverse(const Triangulated_surface& surface, Measured_surface& measured, Reconstruction_error& error)
 {
   constexpr std::size_t enough_faces = 50000; // for a mean that is right to one percent
   const std::size_t number_of_faces = surface.number_of_faces();
@@ -291,7 +275,7 @@ void measure_reverse(const Triangulated_surface& surface, const Measured_surface
 
 /// Measures the distances between the points of the input and the faces of `reconstruction`, both ways.
 /// O((p + f) log f) for p points and f faces.
-Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, const Measured_surface& measured)
+Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, Measured_surface& measured)
 {
   Reconstruction_error error;
   error.unresolved_fraction = reconstruction.unresolved_fraction;
@@ -379,7 +363,7 @@ void check_size(const Skeleton& skeleton, std::size_t resolution)
 Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters)
 {
-  const Measured_surface measured = measured_surface(std::move(input));
+  Measured_surface measured(std::move(input));
   check_size(skeleton, parameters.resolution);
   place_nodes(measured.normalization, skeleton);
   if (parameters.uses_skeleton_radii) {
@@ -402,15 +386,15 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
     sum += std::abs(field(point));
   }
   result.mean_distance_from_round_cones = sum / double(measured.points.size());
-  if (measured.body) {
-    const Measured_body& body = *measured.body;
-    result.position = measure_position(*body.queries, skeleton);
-    result.position.number_of_surface_components = body.number_of_components;
-    result.position.genus = body.genus();
-    result.position.number_of_borders = body.number_of_borders;
-    result.limbs = measure_limbs(body.surface, *body.queries, skeleton);
+  if (measured.queries) {
+    result.position = measure_position(*measured.queries, skeleton);
+    result.position.number_of_surface_components = measured.number_of_components;
+    result.position.genus = genus_of_closed_surface(
+        measured.number_of_components, measured.surface.number_of_vertices(), measured.surface.number_of_faces());
+    result.position.number_of_borders = measured.number_of_borders;
+    result.limbs = measure_limbs(measured.surface, *measured.queries, skeleton);
     for (Surface_limb& limb : result.limbs.limbs) {
-      limb.tip = body.normalization.to_input(limb.tip);
+      limb.tip = measured.normalization.to_input(limb.tip);
     }
   }
   return result;
