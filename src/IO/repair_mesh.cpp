@@ -113,83 +113,65 @@ std::size_t remove_flaps(Indexed_triangles& soup)
   return number_of_faces - kept;
 }
 
-/// Cuts one polygon after the other into triangles.
-class Polygon_triangulator
+/// A polygon of a file.
+struct Polygon
 {
-public:
-  Polygon_triangulator(const Shape_file& soup, std::vector<std::array<Index, 3>>& triangles)
-      : m_soup(soup), m_triangles(triangles)
-  {
-  }
+  const std::vector<Vector3>& points; ///< of the file
+  const Index* corners;
+  std::size_t size;
 
-  void triangulate(std::size_t polygon)
-  {
-    m_corners = m_soup.corners.data() + m_soup.first_corner[polygon];
-    m_size = m_soup.size_of_polygon(polygon);
-    const bool is_cut = m_size > 3 && !is_fan_unfolded() && triangulate_by_cgal();
-    for (std::size_t i = 1; i + 1 < m_size && !is_cut; ++i) { // of fewer than three corners: nothing
-      append(0, i, i + 1);
-    }
-  }
-
-private:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-  /// Polygons of more corners than this are cut as a fan whatever their shape: CGAL's triangulation of a hole takes up
-  /// to cubic time where it is not planar.
-  static constexpr std::size_t max_size_for_cgal = 500;
-
-  void append(std::size_t i, std::size_t j, std::size_t k)
-  {
-    m_triangles.push_back({m_corners[i], m_corners[j], m_corners[k]});
-  }
-
-  /// Whether the first corner sees the whole polygon, as all corners of a convex one do.
-  bool is_fan_unfolded() const
-  {
-    Vector3 normal = Vector3::Zero();
-    for (std::size_t i = 1; i + 1 < m_size; ++i) {
-      normal += (point(i) - point(0)).cross(point(i + 1) - point(0));
-    }
-    for (std::size_t i = 1; i + 1 < m_size; ++i) {
-      if (!((point(i) - point(0)).cross(point(i + 1) - point(0)).dot(normal) > 0)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool triangulate_by_cgal()
-  {
-    if (m_size > max_size_for_cgal) {
-      return false;
-    }
-    std::vector<Kernel::Point_3> points;
-    for (std::size_t i = 0; i < m_size; ++i) {
-      const Vector3& p = point(i);
-      points.emplace_back(p.x(), p.y(), p.z());
-    }
-    std::vector<CGAL::Triple<int, int, int>> triangles;
-    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triangles));
-    if (triangles.size() != m_size - 2) {
-      return false;
-    }
-    for (const auto& t : triangles) {
-      // The orientation is the order of the corners in the polygon.
-      std::array<int, 3> corners{t.first, t.second, t.third};
-      std::sort(corners.begin(), corners.end());
-      append(std::size_t(corners[0]), std::size_t(corners[1]), std::size_t(corners[2]));
-    }
-    return true;
-  }
-
-  const Vector3& point(std::size_t corner) const { return m_soup.points[m_corners[corner]]; }
-
-  const Shape_file& m_soup;
-  std::vector<std::array<Index, 3>>& m_triangles;
-  const Index* m_corners = nullptr;
-  std::size_t m_size = 0;
+  const Vector3& operator[](std::size_t corner) const { return points[corners[corner]]; }
 };
+
+/// Whether the first corner sees the whole polygon, as all corners of a convex one do.
+bool is_fan_unfolded(const Polygon& polygon)
+{
+  Vector3 normal = Vector3::Zero();
+  for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
+    normal += triangle_vector(polygon[0], polygon[i], polygon[i + 1]);
+  }
+  for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
+    if (!(triangle_vector(polygon[0], polygon[i], polygon[i + 1]).dot(normal) > 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Cuts a polygon into triangles as CGAL fills a hole. \return whether they were appended
+bool triangulate_by_cgal(const Polygon& polygon, std::vector<std::array<Index, 3>>& triangles)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  constexpr std::size_t max_size = 500; // CGAL takes up to cubic time where a hole is not planar
+  if (polygon.size > max_size) {
+    return false;
+  }
+  std::vector<Kernel::Point_3> points;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    points.push_back(make_point<Kernel::Point_3>(polygon[i]));
+  }
+  std::vector<CGAL::Triple<int, int, int>> pieces;
+  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(pieces));
+  if (pieces.size() != polygon.size - 2) {
+    return false;
+  }
+  for (const auto& t : pieces) {
+    // The orientation is the order of the corners in the polygon.
+    std::array<int, 3> order{t.first, t.second, t.third};
+    std::sort(order.begin(), order.end());
+    triangles.push_back({polygon.corners[order[0]], polygon.corners[order[1]], polygon.corners[order[2]]});
+  }
+  return true;
+}
+
+/// Cuts a polygon into triangles, as a fan where that does not fold or nothing else is possible, and appends them.
+void triangulate(const Polygon& polygon, std::vector<std::array<Index, 3>>& triangles)
+{
+  const bool is_cut = polygon.size > 3 && !is_fan_unfolded(polygon) && triangulate_by_cgal(polygon, triangles);
+  for (std::size_t i = 1; i + 1 < polygon.size && !is_cut; ++i) { // of fewer than three corners: nothing
+    triangles.push_back({polygon.corners[0], polygon.corners[i], polygon.corners[i + 1]});
+  }
+}
 
 /// Cuts all polygons into triangles, whose order is that of the polygons: two fewer than each has corners, and none of
 /// those of fewer than three. The points stay.
@@ -202,9 +184,9 @@ Indexed_triangles triangulate_polygon_soup(Shape_file&& polygons)
     number_of_triangles += std::max<std::size_t>(soup.size_of_polygon(polygon), 2) - 2;
   }
   result.faces.reserve(number_of_triangles);
-  Polygon_triangulator triangulator(soup, result.faces);
   for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
-    triangulator.triangulate(polygon);
+    const Index* const corners = soup.corners.data() + soup.first_corner[polygon];
+    triangulate({soup.points, corners, soup.size_of_polygon(polygon)}, result.faces);
   }
   result.points = std::move(soup.points);
   result.first_hole_filling_face = result.faces.size();
