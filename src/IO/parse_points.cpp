@@ -250,7 +250,7 @@ Shape_file parse_las(std::string_view content, const std::string& filename, unsi
   Shape_file shape;
   shape.points.resize(number_of_points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const char* const first = scanner_at(data_offset).skip(0) + axis * sizeof(std::int32_t);
+    const char* const first = scanner_at(data_offset).data() + axis * sizeof(std::int32_t);
     const Number_view column{first, {'i', sizeof(std::int32_t)}, Byte_order::little, point_size, shape.points.size()};
     column.for_each([&](std::size_t i, double x) { shape.points[i][axis] = x * scale[axis] + offset[axis]; });
   }

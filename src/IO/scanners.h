@@ -141,6 +141,8 @@ public:
 
   /// The size of the rest of the data, in bytes.
   std::size_t remaining() const { return m_bytes.size(); }
+  /// Where the data that are left begin.
+  const char* data() const { return m_bytes.data(); }
 
   /// Reads a number. \throw File_error if the data end before
   template <class Number>

@@ -164,6 +164,10 @@ public:
     m_tree.emplace(points);
   }
 
+  Measured_surface(const Measured_surface&) = delete; // the queries refer to the surface
+  Measured_surface& operator=(const Measured_surface&) = delete;
+  ~Measured_surface() = default;
+
   /// The distance of a point; neighboring points are answered faster one after the other.
   double distance(const Vector3& point)
   {
