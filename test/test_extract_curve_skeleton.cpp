@@ -303,7 +303,8 @@ TEST(Thin_limb, of_long_faces_is_followed_to_its_end)
 
 TEST(Shaft, has_a_straight_axis_and_no_branches_in_its_flange)
 {
-  for (const auto& [radius, thickness] : {std::pair(0.15, 0.4), {0.3, 0.1}, {0.3, 0.4}, {0.45, 0.1}, {0.45, 0.9}}) {
+  for (const auto& [radius, thickness] :
+       {std::pair(0.15, 0.4), {0.2, 0.9}, {0.3, 0.1}, {0.3, 0.4}, {0.3, 1.2}, {0.45, 0.1}, {0.45, 0.9}}) {
     std::vector<double> places;
     std::vector<double> radii;
     for (int i = -30; i <= 30; ++i) {
