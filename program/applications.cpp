@@ -21,7 +21,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <limits>

@@ -27,7 +27,6 @@
 #include <new>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #ifdef __GLIBC__

@@ -7,7 +7,6 @@
 #include "types.h"
 #include "write_report.h"
 #include <CSCD/IO/read_skeleton.h>
-#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Measure/evaluate_skeleton.h>

@@ -8,7 +8,6 @@
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
-#include <CSCD/Options.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>

@@ -10,7 +10,6 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -10,7 +10,6 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/estimate_geodesic_distances.h>
-#include <CSCD/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>

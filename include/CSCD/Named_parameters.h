@@ -13,7 +13,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
 #include <type_traits>
 
 /// Expands `ADD(name)` for each of the library's own named parameters.

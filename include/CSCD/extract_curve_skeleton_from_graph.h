@@ -20,7 +20,6 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <type_traits>
-#include <utility>
 
 namespace CSCD {
 namespace internal {

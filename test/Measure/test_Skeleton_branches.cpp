@@ -13,7 +13,6 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

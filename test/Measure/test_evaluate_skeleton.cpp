@@ -9,7 +9,6 @@
 #include "support/shapes.h"
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/exceptions.h>
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>
 #include <CGAL/Point_set_3.h>

@@ -9,7 +9,6 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/exceptions.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>

@@ -10,7 +10,6 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/consolidate_points.h>
 #include <CSCD/Points/recognize_tree_scan.h>
-#include <CSCD/Points/reconstruct_surface.h>
 #include <CSCD/Vector3.h>
 
 #include <gtest/gtest.h>

@@ -14,7 +14,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CSCD::test {

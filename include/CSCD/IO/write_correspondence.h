@@ -10,7 +10,6 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
 
-#include <cstddef>
 #include <ostream>
 #include <type_traits>
 #include <vector>

@@ -20,9 +20,7 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {

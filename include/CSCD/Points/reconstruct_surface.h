@@ -8,7 +8,6 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Surface_completion.h>
-#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>

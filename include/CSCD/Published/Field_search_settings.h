@@ -10,7 +10,6 @@
 
 #include <boost/math/constants/constants.hpp>
 
-#include <cstddef>
 #include <optional>
 
 namespace CSCD::internal {

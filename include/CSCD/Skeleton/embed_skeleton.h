@@ -7,7 +7,6 @@
 #ifndef CSCD_SKELETON_EMBED_SKELETON_H
 #define CSCD_SKELETON_EMBED_SKELETON_H
 
-#include <CSCD/Options.h>
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_relaxation.h>
