@@ -235,7 +235,7 @@ public:
     Options settings;
     settings.random_seed = random_seed;
     Skeletonization_report report;
-    for (const Separator& separator : Covering_search(m_solid, settings)(report, [](double) {})) {
+    for (const Separator& separator : cover_by_separators(m_solid, settings, report, [](double) {})) {
       add_separator(separator);
     }
     if (m_classes.size() > 0) {

@@ -206,7 +206,7 @@ private:
     split_two_face_components(triangles, pairing, components);
     number_of_components = components.number();
     // Vertices with near numbers should be near in space, for the queries' sake.
-    const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
+    const std::vector<Index> order = canonical_order(triangles, pairing, components);
     points.reserve(number_of_points);
     for (const Index vertex : order) {
       if (vertex < number_of_points) {

@@ -69,8 +69,7 @@ struct Cut_shape
       const Vector3 point = solid.at(x, 0, 0);
       separators.push_back(section_separator(solid.surface(), point, {1, 0, 0}, point));
     }
-    packing = std::make_unique<CSCD::internal::Separator_packing>(solid.surface(), separators,
-                                                                  std::vector<double>(places.size(), 1));
+    packing = std::make_unique<CSCD::internal::Separator_packing>(solid.surface(), separators);
     skeleton = CSCD::internal::embed_skeleton(*solid, separators, packing->packed(), packing->cut_graph(), 0, report);
   }
 
@@ -108,7 +107,7 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
     const Vector3 point = solid.at(3 * std::cos(angle), 3 * std::sin(angle), 0);
     separators.push_back(section_separator(solid.surface(), point, {-std::sin(angle), std::cos(angle), 0}, point));
   }
-  const CSCD::internal::Separator_packing packing(solid.surface(), separators, std::vector<double>(4, 1));
+  const CSCD::internal::Separator_packing packing(solid.surface(), separators);
   CSCD::Skeletonization_report report;
   const CSCD::Embedded_skeleton skeleton =
       CSCD::internal::embed_skeleton(*solid, separators, packing.packed(), packing.cut_graph(), 0, report);

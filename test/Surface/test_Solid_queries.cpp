@@ -153,7 +153,7 @@ TEST(Triangulated_solid, queries_a_level_with_edges_enough_around_thin_limbs)
   double sum = 0;
   for (int i = 0; i < 100; ++i) {
     const Vector3 center = ring.at(std::cos(i), std::sin(i), 0);
-    sum += (ring->closest_point(center).point - center).norm() * ring.unit();
+    sum += (ring->queries().closest_point(center).point - center).norm() * ring.unit();
   }
   EXPECT_GT(sum / 100, 0.55 * 0.00022);
 }

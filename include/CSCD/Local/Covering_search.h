@@ -33,7 +33,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -66,11 +65,11 @@ public:
     band.clear();
     switch (result.outcome) {
     case Search_outcome::found:
-      grow_around_separator(result.separator, band);
+      grow_around_separator(result.separator, result.level, band);
       break;
     case Search_outcome::bump:
       grow_around_vertex(source, result.level,
-                         float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)), band);
+                         float(band_width * result.separator.length / (2 * boost::math::double_constants::pi)), band);
       break;
     case Search_outcome::no_cut:
       grow_around_vertex(source, result.level, failure_radius, band);
@@ -88,14 +87,13 @@ private:
   /// Vertices of a body that the failure radius suits.
   static constexpr Index usual_size = 2000;
 
-  void grow_around_separator(const Separator& separator, std::vector<Index>& band)
+  void grow_around_separator(const Separator& separator, Index level, std::vector<Index>& band)
   {
-    const Surface_level& level = m_levels[separator.level];
     m_front.clear();
     for (const Edge_crossing& crossing : separator.crossings) {
-      m_front.reach(level.from_finest(m_levels.finest().surface.origin(crossing.halfedge)), 0);
+      m_front.reach(m_levels[level].from_finest(m_levels.finest().surface.origin(crossing.halfedge)), 0);
     }
-    grow(separator.level, float(band_width * separator.radius()), band);
+    grow(level, float(band_width * separator.radius()), band);
   }
 
   void grow_around_vertex(Index source, Index level, float radius, std::vector<Index>& band)
@@ -166,12 +164,11 @@ public:
   void add(Index source, const Search_result& result, const std::vector<Index>& band)
   {
     m_is_tried[source] = 1;
-    const bool is_found = result.outcome == Search_outcome::found;
     for (const Index vertex : band) {
-      increase(m_count[is_found ? result.separator.level : result.level][vertex]);
+      increase(m_count[result.level][vertex]);
     }
-    if (is_found) {
-      set_hints(result.separator);
+    if (result.outcome == Search_outcome::found) {
+      set_hints(result);
     }
   }
 
@@ -192,11 +189,11 @@ private:
     }
   }
 
-  void set_hints(const Separator& separator)
+  void set_hints(const Search_result& result)
   {
     const Surface_level& coarsest = m_levels.coarsest();
-    const auto hint = std::uint8_t(separator.level);
-    for (const Edge_crossing& crossing : separator.crossings) {
+    const auto hint = std::uint8_t(result.level);
+    for (const Edge_crossing& crossing : result.separator.crossings) {
       const Index vertex = coarsest.from_finest(m_levels.finest().surface.origin(crossing.halfedge));
       if (m_hint[vertex] == hint) {
         continue;
@@ -295,9 +292,7 @@ public:
         m_failure_radius([radius = Coverage_band::max_failure_radius(solid.levels())](Index) { return radius; }),
         m_for_each(
             [&solid, min_area_ratio = Detail(options.detail).min_loop_area_ratio()] {
-              return Worker{Local_separator_finder(solid.levels(), min_area_ratio,
-                                                   [&solid](Index vertex) { return solid.side_of_sheet(vertex); }),
-                            Coverage_band(solid.levels())};
+              return Worker{Local_separator_finder(solid, min_area_ratio), Coverage_band(solid.levels())};
             },
             options.number_of_threads)
   {
@@ -404,95 +399,70 @@ private:
   std::array<std::vector<Index>, batch_size> m_bands;
 };
 
-/// Seeks separators from sources all over the surface until it is covered by them, packs them for trial, and looks
-/// closer at the ends of limbs and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily
-/// missed at first.
-class Covering_search
+/// The separators that would be packed so far, except separators of bumps.
+inline std::vector<Index> pack_for_trial(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+                                         double min_branch_area_ratio)
 {
-public:
-  /// \param solid is referred to
-  Covering_search(const Triangulated_solid& solid, const Options& options)
-      : m_levels(solid.levels()), m_min_branch_area_ratio(Detail(options.detail).min_branch_area_ratio()),
-        m_max_sources(options.maximum_number_of_sources), m_search(solid, options)
-  {
+  Disjoint_separators disjoint(surface, separators);
+  disjoint.pack([](Index) { return true; });
+  const Cut_graph cut_graph(surface, disjoint.arrangement());
+  const Spurious_branches bumps(cut_graph, separators, disjoint.packed(), min_branch_area_ratio);
+  std::vector<char> is_bump(separators.size(), 0);
+  for (Index separator : bumps.separators()) {
+    is_bump[separator] = 1;
   }
-  Covering_search(Covering_search&&) = delete; // the search calls back
+  std::vector<Index> packed = disjoint.packed();
+  packed.erase(std::remove_if(packed.begin(), packed.end(), [&](Index separator) { return is_bump[separator] != 0; }),
+               packed.end());
+  return packed;
+}
 
-  /// Finds separators and counts in `report`; `progress(fraction)` is called often and may throw.
-  std::vector<Separator> operator()(Skeletonization_report& report, const Progress& progress)
-  {
-    std::vector<Separator> separators;
-    m_search(m_max_sources, separators, report, [&](double fraction) { progress(first_pass_share * fraction); });
-    explore_ends(separators, separator_costs(separators));
-    m_search(m_max_sources, separators, report,
-             [&](double fraction) { progress(first_pass_share + (1 - first_pass_share) * fraction); });
-    return separators;
-  }
+/// Seeks separators from sources all over the surface until they cover it, packs them for trial, and looks closer at
+/// the ends of limbs and where limbs meet: small limbs that grow from there, as toes from a foot, are easily missed at
+/// first. Ends early where the bound of `options` on the number of sources is reached. Counts in `report`;
+/// `progress(fraction)` is called often and may throw.
+inline std::vector<Separator> cover_by_separators(const Triangulated_solid& solid, const Options& options,
+                                                  Skeletonization_report& report, const Progress& progress)
+{
+  // The part of the search that its first pass is, for the progress.
+  constexpr double first_pass_share = 0.75;
+  // Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
+  constexpr double unexplored_distance = 0.6;
+  // This many times as many separators are sought there.
+  constexpr unsigned exploration_factor = 3;
+  // How far a source without a cut point covers the surface there, relative to its distance from the nearest packed
+  // separator: limbs that grow from an end, as toes from a foot, are much thinner than the end is long. From 0.1 to
+  // 0.4, nearly all tips on 100 poses of people were the same; the largest value tries the fewest sources.
+  constexpr float failure_radius_per_distance = 0.3F;
 
-private:
-  /// The part of the search that its first pass is, for the progress.
-  static constexpr double first_pass_share = 0.75;
-  /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
-  static constexpr double unexplored_distance = 0.6;
-  /// This many times as many separators are sought there.
-  static constexpr unsigned exploration_factor = 3;
-  /// How far a source without a cut point covers the surface there, relative to its distance from the nearest packed
-  /// separator: limbs that grow from an end, as toes from a foot, are much thinner than the end is long. From 0.1 to
-  /// 0.4, nearly all tips on 100 poses of people were the same; the largest value tries the fewest sources.
-  static constexpr float failure_radius_per_distance = 0.3F;
+  const Surface_levels& levels = solid.levels();
+  Separator_search search(solid, options);
+  std::vector<Separator> separators;
+  search(options.maximum_number_of_sources, separators, report,
+         [&](double fraction) { progress(first_pass_share * fraction); });
+  const std::vector<Index> packed =
+      pack_for_trial(solid.triangulation(), separators, Detail(options.detail).min_branch_area_ratio());
+  const Surface_regions regions(levels, separators, packed);
+  search.explore(
+      [&](Index vertex) {
+        const Index separator = regions.separator(vertex);
+        return separator != no_index &&
+               double(regions.distance(vertex)) > unexplored_distance * separators[packed[separator]].radius();
+      },
+      exploration_factor,
+      [&regions, max_radius = Coverage_band::max_failure_radius(levels)](Index vertex) {
+        return std::min(max_radius, failure_radius_per_distance * regions.distance(vertex));
+      });
+  search(options.maximum_number_of_sources, separators, report,
+         [&](double fraction) { progress(first_pass_share + (1 - first_pass_share) * fraction); });
+  return separators;
+}
 
-  /// The separators that would be packed so far, except separators of bumps.
-  std::vector<Index> pack_for_trial(const std::vector<Separator>& separators, const std::vector<double>& costs) const
-  {
-    const Triangulated_surface& surface = m_levels.finest().surface;
-    Disjoint_separators disjoint(surface, separators, costs);
-    disjoint.pack([](Index) { return true; });
-    const Cut_graph cut_graph(surface, disjoint.arrangement());
-    const Spurious_branches bumps(cut_graph, separators, disjoint.packed(), m_min_branch_area_ratio);
-    std::vector<char> is_bump(separators.size(), 0);
-    for (Index separator : bumps.separators()) {
-      is_bump[separator] = 1;
-    }
-    std::vector<Index> packed = disjoint.packed();
-    packed.erase(std::remove_if(packed.begin(), packed.end(), [&](Index separator) { return is_bump[separator] != 0; }),
-                 packed.end());
-    return packed;
-  }
-
-  /// Lets the search go on where the separators that would be packed so far leave much of the surface.
-  void explore_ends(const std::vector<Separator>& separators, const std::vector<double>& costs)
-  {
-    const std::vector<Index> packed = pack_for_trial(separators, costs);
-    m_regions.emplace(m_levels, separators, packed, Surface_regions::rough_size);
-    m_search.explore(
-        [&](Index vertex) {
-          const Index separator = m_regions->separator(m_regions->level().from_finest(vertex));
-          return separator != no_index &&
-                 double(distance_from_packed(vertex)) > unexplored_distance * separators[packed[separator]].radius();
-        },
-        exploration_factor,
-        [this, max_radius = Coverage_band::max_failure_radius(m_levels)](Index vertex) {
-          return std::min(max_radius, failure_radius_per_distance * distance_from_packed(vertex));
-        });
-  }
-
-  /// The distance of a vertex of the finest level from the nearest separator packed for trial, infinite where there is
-  /// none.
-  float distance_from_packed(Index vertex) const { return m_regions->distance(m_regions->level().from_finest(vertex)); }
-
-  const Surface_levels& m_levels;
-  double m_min_branch_area_ratio;
-  std::size_t m_max_sources;
-  Separator_search m_search;
-  std::optional<Surface_regions> m_regions; ///< of the separators packed for trial
-};
-
-/// Seeks separators until they cover the surface, or until the bound of `options` on the number of sources is reached.
-/// Separators around a hollow are not returned.
+/// The same without separators around a hollow.
 inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, const Options& options,
                                                     Skeletonization_report& report, const Progress& progress)
 {
-  std::vector<Separator> separators = Covering_search(solid, options)(report, progress);
+  std::vector<Separator> separators = cover_by_separators(solid, options, report, progress);
   const auto first_tunnel = std::remove_if(separators.begin(), separators.end(), [&solid](const Separator& separator) {
     return is_around_hollow(solid, separator);
   });

@@ -23,13 +23,6 @@
 
 namespace CSCD::internal {
 
-/// How a front ended.
-enum class Front_end
-{
-  exhausted, ///< nothing was left to visit, or the observer's stop distance was passed
-  capped     ///< the largest number of visits was passed before the observer had found anything
-};
-
 /// Geodesic polar coordinates around a source, computed outwards vertex by vertex until an observer has seen enough.
 ///
 /// A front that accepts every vertex once, in the manner of Melvaer and Reimers, "Geodesic polar coordinates on
@@ -59,23 +52,24 @@ public:
   ///           directions differ by more than `wide_angle`;
   ///         - `stop_distance()`: no vertex farther than this is visited;
   ///         - `has_found()`: while false, the front is capped by the largest number of visits
+  /// \return whether it was capped; else nothing was left to visit, or the stop distance was passed
   template <class Observer>
-  Front_end grow(Index source, std::size_t max_visits, Observer& observer)
+  bool grow(Index source, std::size_t max_visits, Observer& observer)
   {
     start(source);
     while (!m_heap.empty()) {
       const Indexed_heap::Entry entry = m_heap.pop();
       if (entry.key > observer.stop_distance()) {
-        return Front_end::exhausted;
+        return false;
       }
       ++m_number_of_visits;
       if (m_number_of_visits > max_visits && !observer.has_found()) {
-        return Front_end::capped;
+        return true;
       }
       m_nodes[entry.vertex].epoch = accepted_epoch();
       expand(entry.vertex, observer);
     }
-    return Front_end::exhausted;
+    return false;
   }
 
   std::size_t number_of_visits() const { return m_number_of_visits; }

@@ -12,6 +12,7 @@
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
@@ -32,14 +33,11 @@ namespace CSCD {
 class Local_separator_finder
 {
 public:
-  /// Prepares the working memory; `levels` is referred to and must outlive this object.
+  /// Prepares the working memory; `solid` is referred to and must outlive this object.
   /// \param min_area_ratio loops that cut off a smaller area, relative to their squared length, encircle a bump
-  /// \param side_of_sheet returns the side of a doubled sheet that a vertex of the finest level is on, 1 or 2, or 0;
-  ///        without it, no component is a sheet
-  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio(),
-                                  std::function<int(Index)> side_of_sheet = nullptr)
-      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_side_of_sheet(std::move(side_of_sheet)),
-        m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface)
+  Local_separator_finder(const Triangulated_solid& solid, double min_area_ratio)
+      : m_solid(solid), m_levels(solid.levels()), m_min_area_ratio(min_area_ratio), m_workspaces(m_levels.size()),
+        m_projection(m_levels), m_section(m_levels.finest().surface)
   {
   }
 
@@ -48,7 +46,6 @@ public:
   {
     result.separator.crossings.clear();
     result.is_section = false;
-    result.loop_length = 0;
     result.outcome = trace_on_best_level(source, level_hint, result.level);
     if (result.outcome == Search_outcome::no_cut && cut_across_longest_edge(source, result)) {
       return;
@@ -113,7 +110,7 @@ private:
     internal::Enclosed_area_test bump_test;
   };
 
-  int side_of_sheet(Index vertex) const { return m_side_of_sheet ? m_side_of_sheet(vertex) : 0; }
+  int side_of_sheet(Index vertex) const { return m_solid.side_of_sheet(vertex); }
 
   /// Returns a test whether a vertex of `level` is on the other side of the sheet than `source`; none where `source` is
   /// not on a sheet. The sides are too near to each other for directions between them to mean anything.
@@ -138,56 +135,44 @@ private:
   /// `m_loop` and its level in `level`.
   Search_outcome trace_on_best_level(Index source, Index level_hint, Index& level)
   {
-    enum class Direction
-    {
-      none,
-      finer,
-      coarser
-    };
-    Direction direction = Direction::none;
-    for (level = std::min(level_hint, m_levels.top());;) {
-      const bool is_top = level == m_levels.top();
-      const bool is_finer = direction == Direction::finer;
-      // A loop on the coarser level bounds the front.
-      const std::size_t cap = is_finer && !m_loop.empty() ? std::numeric_limits<std::size_t>::max()
-                              : is_finer || is_top        ? max_visits_at_last
-                                                          : max_visits;
-      const internal::Front_end end = trace(source, level, cap);
-      if (end == internal::Front_end::capped && is_finer) {
+    const Index first = level = std::min(level_hint, m_levels.top());
+    while (trace(source, level, level == m_levels.top() ? max_visits_at_last : max_visits)) {
+      if (level == m_levels.top()) {
         return Search_outcome::no_cut;
       }
-      if (end == internal::Front_end::capped && !is_top) {
-        ++level;
-        direction = Direction::coarser;
-        continue;
-      }
-      const bool is_last = level == 0 || direction == Direction::coarser;
-      if (!m_loop.empty()) {
-        if (is_last || m_loop.size() >= min_loop_size) {
-          return m_loop.size() >= min_simple_loop_size ? Search_outcome::found : Search_outcome::degenerate;
-        }
-      } else if (is_last || workspace_of(level).front.number_of_visits() > 2 * max_visits) {
-        return Search_outcome::no_cut;
-      }
-      --level;
-      direction = Direction::finer;
+      ++level;
     }
+    const auto is_too_coarse = [&] {
+      return m_loop.empty() ? workspace_of(level).front.number_of_visits() <= 2 * max_visits
+                            : m_loop.size() < min_loop_size;
+    };
+    while (level > 0 && level <= first && is_too_coarse()) {
+      // A loop on the coarser level bounds the front.
+      const std::size_t cap = m_loop.empty() ? max_visits_at_last : std::numeric_limits<std::size_t>::max();
+      if (trace(source, --level, cap)) {
+        return Search_outcome::no_cut;
+      }
+    }
+    return m_loop.empty()                          ? Search_outcome::no_cut
+           : m_loop.size() >= min_simple_loop_size ? Search_outcome::found
+                                                   : Search_outcome::degenerate;
   }
 
-  /// Grows a front on `level` and traces the loop of the nearest meeting, if there is one.
-  internal::Front_end trace(Index source, Index level, std::size_t visits)
+  /// Grows a front on `level` and traces the loop of the nearest meeting, if there is one. \return whether the front
+  /// was capped
+  bool trace(Index source, Index level, std::size_t visits)
   {
     const Surface_level& surface_level = m_levels[level];
     internal::Geodesic_polar_coordinates& front = workspace_of(level).front;
     const Index level_source = surface_level.from_finest(source);
     internal::Nearest_meeting meeting(surface_level.surface, front, level_source,
                                       across_sheet(surface_level, surface_level.to_finest(level_source)));
-    const internal::Front_end end = front.grow(level_source, visits, meeting);
+    const bool is_capped = front.grow(level_source, visits, meeting);
     m_loop.clear();
     if (meeting.has_found()) {
       internal::trace_loop(front, meeting.first(), meeting.second(), m_loop);
     }
-    return end;
+    return is_capped;
   }
 
   /// Finds the section across the longest edge at `source` if it is at most twice as long: a limb whose faces are
@@ -214,7 +199,6 @@ private:
       return false;
     }
     separator.source = source;
-    separator.level = 0;
     separator.crossings = m_section.crossings();
     result.outcome = Search_outcome::found;
     result.level = 0;
@@ -230,7 +214,6 @@ private:
       m_points.push_back(surface.point(vertex));
     }
     internal::set_measures(result.separator, m_points);
-    result.loop_length = result.separator.length;
   }
 
   void shorten(Index source, Search_result& result)
@@ -238,20 +221,19 @@ private:
     // The loop starts at the coarse source, which stands for several fine vertices.
     const Surface_level& level = m_levels[result.level];
     result.separator.source = level.to_finest(level.from_finest(source));
-    result.separator.level = result.level;
-    result.is_section = shorten_by_section(result.separator);
+    result.is_section = shorten_by_section(level, result.separator);
     if (!result.is_section && !shorten_by_straightening(level, result.separator)) {
       result.outcome = Search_outcome::degenerate;
     }
   }
 
   /// Replaces the vertex loop, whose measures `separator` has, by the shortest of a few plane sections around it.
-  bool shorten_by_section(Separator& separator)
+  bool shorten_by_section(const Surface_level& level, Separator& separator)
   {
     const double loop_length = separator.length;
     const Vector3 loop_center = separator.center;
     const bool is_on_sheet = side_of_sheet(separator.source) != 0;
-    const Vector3 loop_normal = is_on_sheet ? border_axis_at_loop(separator) : separator.normal;
+    const Vector3 loop_normal = is_on_sheet ? border_axis_at_loop(level, separator) : separator.normal;
     const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
     Vector3 axis = loop_normal;
     double best_length = std::numeric_limits<double>::max();
@@ -286,9 +268,8 @@ private:
 
   /// The mean direction of the borders of a sheet where the vertex loop crosses them. The area that the loop encloses
   /// between the two sides is too small for a normal.
-  Vector3 border_axis_at_loop(const Separator& separator) const
+  Vector3 border_axis_at_loop(const Surface_level& level, const Separator& separator) const
   {
-    const Surface_level& level = m_levels[separator.level];
     Vector3 sum = Vector3::Zero();
     for (std::size_t i = 0; i < m_loop.size(); ++i) {
       const Index next = m_loop[i + 1 < m_loop.size() ? i + 1 : 0];
@@ -370,9 +351,9 @@ private:
     return sum / separator.length;
   }
 
+  const Triangulated_solid& m_solid;
   const Surface_levels& m_levels;
   double m_min_area_ratio;
-  std::function<int(Index)> m_side_of_sheet;
   std::vector<std::unique_ptr<Workspace>> m_workspaces;
   internal::Loop_projection m_projection;
   internal::Plane_section m_section;

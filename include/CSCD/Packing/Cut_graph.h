@@ -79,7 +79,9 @@ public:
       const Chord chord{first_point + Index(i > 0 ? i - 1 : size - 1), first_point + Index(i), face,
                         m_first_chord[face]};
       if (crosses_any(chord)) {
-        remove_from(first_chord);
+        for (; m_chords.size() > first_chord; m_chords.pop_back()) {
+          m_first_chord[m_chords.back().face] = m_chords.back().next;
+        }
         m_points.resize(first_point);
         return false;
       }
@@ -91,8 +93,6 @@ public:
 
   const std::vector<Edge_point>& points() const { return m_points; }
   const std::vector<Chord>& chords() const { return m_chords; }
-  /// The first of the chords in `face`, `no_index` without a chord.
-  Index first_chord(Index face) const { return m_first_chord[face]; }
 
   /// The total order of the crossings of one edge, along its smaller halfedge.
   static bool is_before_on_edge(const Edge_point& a, const Edge_point& b)
@@ -192,14 +192,6 @@ private:
     return false;
   }
 
-  void remove_from(std::size_t first_chord)
-  {
-    while (m_chords.size() > first_chord) {
-      m_first_chord[m_chords.back().face] = m_chords.back().next;
-      m_chords.pop_back();
-    }
-  }
-
   const Triangulation& m_surface;
   std::vector<Index> m_first_chord;
   std::vector<Edge_point> m_points;
@@ -229,16 +221,6 @@ struct Edge_parts
       const bool is_reversed = arrangement.leaves_reversed(order[i]);
       left[order[i]] = is_reversed ? before : after;
       right[order[i]] = is_reversed ? after : before;
-    }
-  }
-
-  /// Joins the parts that a separator has on one side. As all that is between two chords of a face borders on one of
-  /// them, this joins all parts that a face connects.
-  void join_along_separators(const Separator_arrangement& arrangement, Disjoint_sets& sets) const
-  {
-    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
-      sets.join(left[chord.begin], left[chord.end]);
-      sets.join(right[chord.begin], right[chord.end]);
     }
   }
 
@@ -309,7 +291,11 @@ private:
         sets.join(surface.origin(h), surface.target(h));
       }
     }
-    parts.join_along_separators(arrangement, sets);
+    // All that is between two chords of a face borders on one of them: this joins all parts that a face connects.
+    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
+      sets.join(parts.left[chord.begin], parts.left[chord.end]);
+      sets.join(parts.right[chord.begin], parts.right[chord.end]);
+    }
     Index number_of_pieces = 0;
     m_piece = sets.numbers(number_of_pieces);
     m_pieces.assign(number_of_pieces, Piece());

@@ -158,15 +158,8 @@ public:
                        }
                      }
                    }),
-        m_is_next_to_crossing(surface.number_of_vertices(), 0), m_search(surface.number_of_vertices()),
-        m_entered(surface.number_of_vertices(), no_index)
+        m_search(surface.number_of_vertices()), m_entered(surface.number_of_vertices(), no_index)
   {
-    for (const Index separator : packed) {
-      for (const Edge_crossing& crossing : separators[separator].crossings) {
-        m_is_next_to_crossing[surface.origin(crossing.halfedge)] = 1;
-        m_is_next_to_crossing[surface.target(crossing.halfedge)] = 1;
-      }
-    }
   }
 
   /// The loop through the separator at position `i`, if it is shorter than `max_length`. It crosses that once: only by
@@ -191,20 +184,18 @@ public:
         m_search.clear();
         return;
       }
-      if (m_is_next_to_crossing[vertex] != 0) {
-        const auto end = ends.find(vertex);
-        if (end != ends.end() && distance + end->second.first < loop.length) {
-          loop.length = distance + end->second.first;
-          loop.vertices = {vertex};
-          loop.right = end->second.second;
-        }
+      const auto end = ends.find(vertex);
+      if (end != ends.end() && distance + end->second.first < loop.length) {
+        loop.length = distance + end->second.first;
+        loop.vertices = {vertex};
+        loop.right = end->second.second;
       }
       for (const Index h : m_surface.outgoing(vertex)) {
         const float length = distance + float(m_surface.length(h));
-        const bool is_free = m_is_next_to_crossing[vertex] == 0 || is_free_to_cross(h, i, may_cross_others);
         // The way back is at least as long as that to the box.
         const auto way_back = float(tolerance * std::sqrt(box.squared_distance(m_surface.point(m_surface.target(h)))));
-        if (is_free && length + way_back < loop.length && m_search.reach(m_surface.target(h), length)) {
+        if (length + way_back < loop.length && is_free_to_cross(h, i, may_cross_others) &&
+            m_search.reach(m_surface.target(h), length)) {
           m_entered[m_surface.target(h)] = h;
         }
       }
@@ -301,10 +292,9 @@ private:
   const Triangulated_surface& m_surface;
   const std::vector<Separator>& m_separators;
   const std::vector<Index>& m_packed;
-  Compressed_rows<Crossing> m_crossing;    ///< of every edge, by its number
-  std::vector<char> m_is_next_to_crossing; ///< of every vertex, whether an edge there is crossed
-  Dijkstra_search m_search;                ///< over vertices
-  std::vector<Index> m_entered;            ///< for each reached vertex, the halfedge on the way to it
+  Compressed_rows<Crossing> m_crossing; ///< of every edge, by its number
+  Dijkstra_search m_search;             ///< over vertices
+  std::vector<Index> m_entered;         ///< for each reached vertex, the halfedge on the way to it
 };
 
 /// Finds loops that cross a separator once, along edges of the surface and as few other separators as possible: each

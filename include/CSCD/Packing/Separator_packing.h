@@ -35,17 +35,6 @@ inline double separator_cost(const Separator& separator)
   return separator.length * (1 + planarity_factor * separator.planarity);
 }
 
-/// The costs of `separators`.
-inline std::vector<double> separator_costs(const std::vector<Separator>& separators)
-{
-  std::vector<double> result;
-  result.reserve(separators.size());
-  for (const Separator& separator : separators) {
-    result.push_back(separator_cost(separator));
-  }
-  return result;
-}
-
 /// Finds the branches of a cut graph that stand on no limb, and the ends of branches that lead into a corner of the
 /// body.
 ///
@@ -225,15 +214,15 @@ private:
 class Disjoint_separators
 {
 public:
-  /// Prepares to pack `separators`, whose costs are `costs`; both the surface and the separators are referred to.
-  Disjoint_separators(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                      const std::vector<double>& costs)
-      : m_separators(separators), m_arrangement(surface), m_order(costs.size())
+  /// Prepares to pack `separators`; both the surface and the separators are referred to.
+  Disjoint_separators(const Triangulated_surface& surface, const std::vector<Separator>& separators)
+      : m_separators(separators), m_arrangement(surface), m_order(separators.size())
   {
     std::iota(m_order.begin(), m_order.end(), Index(0));
     // Costs are compared in single precision, so that rounding does not order equal ones.
-    std::stable_sort(m_order.begin(), m_order.end(),
-                     [&](Index a, Index b) { return float(costs[a]) < float(costs[b]); });
+    std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) {
+      return float(separator_cost(separators[a])) < float(separator_cost(separators[b]));
+    });
   }
 
   /// Packs anew, from the separators that satisfy `is_allowed(separator)`.
@@ -329,19 +318,18 @@ private:
 
 /// Greedy weighted set packing of separators (section 3.2.3), followed by pruning: the separators of a branch that no
 /// limb stands on are banned, and the remaining ones are packed again.
-class Separator_packing
+class Separator_packing : public Disjoint_separators
 {
 public:
-  /// Packs `separators`, whose costs are `costs`: the cheaper one of two that overlap is kept.
+  /// Packs `separators`: the cheaper one of two that overlap is kept.
   /// \param min_branch_area_ratio see `Spurious_branches`
-  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                    const std::vector<double>& costs, double min_branch_area_ratio = Detail().min_branch_area_ratio())
-      : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, costs)
+                    double min_branch_area_ratio = Detail().min_branch_area_ratio())
+      : Disjoint_separators(surface, separators), m_surface(surface)
   {
     std::vector<char> is_allowed(separators.size(), 1);
     for (int round = 1;; ++round) {
-      m_disjoint.pack([&](Index separator) { return is_allowed[separator] != 0; });
+      pack([&](Index separator) { return is_allowed[separator] != 0; });
       cut_again();
       const Spurious_branches bumps(cut_graph(), separators, packed(), min_branch_area_ratio);
       if (bumps.separators().empty()) {
@@ -362,29 +350,19 @@ public:
   /// Packs the `separators` at the positions `packed` except those that cross an earlier one.
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
                     const std::vector<Index>& packed)
-      : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, {})
+      : Disjoint_separators(surface, separators), m_surface(surface)
   {
     for (Index separator : packed) {
-      m_disjoint.insert(separator);
+      insert(separator);
     }
     cut_again();
   }
 
-  /// The packed separators, as positions in the list of all separators, in the order of packing.
-  const std::vector<Index>& packed() const { return m_disjoint.packed(); }
-  /// The surface cut along them.
+  /// The surface cut along the packed separators, as they were when it was cut last.
   const Cut_graph& cut_graph() const { return *m_cut_graph; }
-  const Separator_arrangement& arrangement() const { return m_disjoint.arrangement(); }
-
-  /// Makes room between crossings at the same position.
-  void spread_crossings() { m_disjoint.spread_crossings(); }
-
-  /// Packs the last separator of the list, which was appended after the others had been packed, if it crosses none of
-  /// them and itself neither. The cut graph stays as it is until `cut_again()`. \return whether it was packed
-  bool insert_last() { return m_disjoint.insert(Index(m_separators.size() - 1)); }
 
   /// Cuts the surface along all packed separators, including the ones inserted last.
-  void cut_again() { m_cut_graph.emplace(m_surface, m_disjoint.arrangement()); }
+  void cut_again() { m_cut_graph.emplace(m_surface, arrangement()); }
 
 private:
   /// Separators that replace pruned ones may have to be pruned again. After this many packings, nothing takes their
@@ -392,8 +370,6 @@ private:
   static constexpr int max_packings = 2;
 
   const Triangulated_surface& m_surface;
-  const std::vector<Separator>& m_separators;
-  Disjoint_separators m_disjoint;
   std::optional<Cut_graph> m_cut_graph;
 };
 
@@ -402,25 +378,24 @@ private:
 class Surface_regions
 {
 public:
-  /// The size of the level that is precise enough to find the nearest separator.
-  static constexpr Index rough_size = 16000;
-
-  /// Computes the regions of the separators `packed` of the list `separators`, on the finest level of at most
-  /// `max_vertices` vertices; O(n log n) there.
+  /// Computes the regions of the separators `packed` of the list `separators`; O(n log n).
   Surface_regions(const Surface_levels& levels, const std::vector<Separator>& separators,
-                  const std::vector<Index>& packed, Index max_vertices)
-      : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(max_vertices)]),
-        m_front(m_level.surface.number_of_vertices())
+                  const std::vector<Index>& packed)
+      : m_level(levels[levels.finest_with_at_most(rough_size)]), m_front(m_level.surface.number_of_vertices())
   {
+    const Triangulated_surface& finest = levels.finest().surface;
+    const Vertex_fan_table& corners = m_level.corners();
     for (Index i = 0; i < packed.size(); ++i) {
       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
-        const Vector3 point = (1 - crossing.position) * position(m_finest.surface.origin(crossing.halfedge)) +
-                              crossing.position * position(m_finest.surface.target(crossing.halfedge));
-        reach_from(point, m_finest.surface.origin(crossing.halfedge), i);
-        reach_from(point, m_finest.surface.target(crossing.halfedge), i);
+        for (const Index end : {finest.origin(crossing.halfedge), finest.target(crossing.halfedge)}) {
+          const Index vertex = m_level.from_finest(end);
+          const Vector3 way = m_level.surface.point(vertex) - crossing_point(finest, crossing);
+          if (m_front.reach(vertex, float(way.norm()), i)) {
+            corners.prefetch(vertex);
+          }
+        }
       }
     }
-    const Vertex_fan_table& corners = m_level.corners();
     m_front.spread([&corners](Index vertex, const auto& visit) {
       for (const Corner& corner : corners.neighbors(vertex)) {
         if (visit(corner.neighbor, corner.length)) {
@@ -430,25 +405,16 @@ public:
     });
   }
 
-  /// The level that the regions live on.
-  const Surface_level& level() const { return m_level; }
-  /// The position of the packed separator nearest to a vertex of `level()`; `no_index` where a component has none.
-  Index separator(Index vertex) const { return m_front.label(vertex); }
+  /// The position of the packed separator nearest to a vertex of the finest level; `no_index` where a component has
+  /// none.
+  Index separator(Index vertex) const { return m_front.label(m_level.from_finest(vertex)); }
   /// The distance from it, infinite without one.
-  float distance(Index vertex) const { return m_front.distance(vertex); }
+  float distance(Index vertex) const { return m_front.distance(m_level.from_finest(vertex)); }
 
 private:
-  const Vector3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
+  /// Vertices of a level that is precise enough to find the nearest separator.
+  static constexpr Index rough_size = 16000;
 
-  void reach_from(const Vector3& point, Index finest_vertex, Index separator)
-  {
-    const Index vertex = m_level.from_finest(finest_vertex);
-    if (m_front.reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator)) {
-      m_level.corners().prefetch(vertex);
-    }
-  }
-
-  const Surface_level& m_finest;
   const Surface_level& m_level;
   Multi_source_dijkstra_search m_front;
 };

@@ -241,86 +241,59 @@ private:
   std::vector<Index> m_entered;   ///< the step to each part of a face in a tree, `no_index` to a root
 };
 
-/// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
-/// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one, the shorter the better.
-class Handle_cutting
+/// Cuts along all loops that are disjoint, and packs those that lower the genus by one each, as separators that are
+/// appended: from the worst to the best, a loop with different pieces on its sides is left out, and the pieces become
+/// one. O(n log n). \return whether one is packed
+inline bool cut_some_handles(const Triangulated_solid& solid, std::vector<Separator>& separators,
+                             Separator_packing& packing)
 {
-public:
-  /// `separators` are those of `packing`; the new ones are appended to them.
-  Handle_cutting(const Triangulated_surface& surface, std::vector<Separator>& separators, Separator_packing& packing)
-      : m_surface(surface), m_separators(separators), m_packing(packing)
-  {
-  }
-
-  /// Cuts all handles; O(n log n) for each round, and a round cuts many.
-  void operator()()
-  {
-    while (has_handles() && cut()) {
+  const Triangulated_surface& surface = solid.triangulation();
+  packing.spread_crossings();
+  Separator_arrangement arrangement = packing.arrangement();
+  std::vector<Separator> trial;
+  for (Handle_loops::Loop& loop : Handle_loops(surface, arrangement).of_all_pieces()) {
+    if (arrangement.insert(Index(separators.size() + trial.size()), loop.crossings)) {
+      Separator& separator = trial.emplace_back();
+      separator.crossings = std::move(loop.crossings);
+      std::vector<Vector3> points;
+      crossing_points(surface, separator.crossings, points);
+      set_measures(separator, points);
+      separator.source = surface.origin(separator.crossings.front().halfedge);
+      mark_open(solid, separator);
     }
   }
-
-private:
-  bool has_handles() const
-  {
-    const std::vector<Cut_graph::Piece>& pieces = m_packing.cut_graph().pieces();
-    return std::any_of(pieces.begin(), pieces.end(), [](const Cut_graph::Piece& piece) { return piece.genus() > 0; });
-  }
-
-  /// Cuts along all loops that are disjoint and each lower the genus by one. \return whether there are some
-  bool cut()
-  {
-    m_packing.spread_crossings();
-    Separator_arrangement arrangement = m_packing.arrangement();
-    std::vector<Separator> trial;
-    for (Handle_loops::Loop& loop : Handle_loops(m_surface, arrangement).of_all_pieces()) {
-      if (arrangement.insert(Index(m_separators.size() + trial.size()), loop.crossings)) {
-        Separator separator;
-        separator.crossings = std::move(loop.crossings);
-        std::vector<Vector3> points;
-        crossing_points(m_surface, separator.crossings, points);
-        set_measures(separator, points);
-        separator.source = m_surface.origin(separator.crossings.front().halfedge);
-        trial.push_back(std::move(separator));
-      }
+  const Cut_graph cut_graph(surface, arrangement);
+  Disjoint_sets pieces(cut_graph.pieces().size());
+  std::vector<Index> needed;
+  for (Index i = Index(trial.size()); i-- > 0;) {
+    const Cut_graph::Sides& sides = cut_graph.sides(Index(packing.packed().size()) + i);
+    if (!pieces.join(sides.right, sides.left)) {
+      needed.push_back(i);
     }
-    return pack(trial, Cut_graph(m_surface, arrangement));
   }
-
-  /// Packs the separators of `trial`, the last in `cut_graph`, that lower the genus: from the worst to the best, one
-  /// with different pieces on its sides is left out, and the pieces become one. \return whether one is packed
-  bool pack(const std::vector<Separator>& trial, const Cut_graph& cut_graph)
-  {
-    Disjoint_sets pieces(cut_graph.pieces().size());
-    std::vector<Index> needed;
-    for (Index i = Index(trial.size()); i-- > 0;) {
-      const Cut_graph::Sides& sides = cut_graph.sides(Index(m_packing.packed().size()) + i);
-      if (!pieces.join(sides.right, sides.left)) {
-        needed.push_back(i);
-      }
-    }
-    for (auto i = needed.rbegin(); i != needed.rend(); ++i) {
-      m_separators.push_back(trial[*i]);
-      m_packing.insert_last();
-    }
-    m_packing.cut_again();
-    return !needed.empty();
+  for (auto i = needed.rbegin(); i != needed.rend(); ++i) {
+    separators.push_back(std::move(trial[*i]));
+    packing.insert(Index(separators.size() - 1));
   }
+  packing.cut_again();
+  return !needed.empty();
+}
 
-  const Triangulated_surface& m_surface;
-  std::vector<Separator>& m_separators;
-  Separator_packing& m_packing;
-};
-
-/// Packs separators around handles that no packed one cuts, and appends them to `separators`; counts them in `report`.
+/// Packs separators around handles that no packed one cuts, so that the first Betti number of the cut graph is the
+/// genus of the surface, and appends them to `separators`, which are those of `packing`; counts them in `report`. A
+/// round cuts many handles.
 inline void cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing,
                         Skeletonization_report& report)
 {
+  const auto has_handle = [](const Cut_graph::Piece& piece) { return piece.genus() > 0; };
+  const auto has_handles = [&] {
+    const std::vector<Cut_graph::Piece>& pieces = packing.cut_graph().pieces();
+    return std::any_of(pieces.begin(), pieces.end(), has_handle);
+  };
   const std::size_t number = separators.size();
-  Handle_cutting(solid.triangulation(), separators, packing)();
-  report.number_of_handle_cuts = separators.size() - number;
-  for (std::size_t i = number; i < separators.size(); ++i) {
-    mark_open(solid, separators[i]);
+  while (has_handles() && cut_some_handles(solid, separators, packing)) {
   }
+  report.number_of_handle_cuts = separators.size() - number;
 }
 
 /// For each separator of `cut_graph`, whether it is on a limb: one side of it has no handle. The pieces at the ends are
@@ -457,8 +430,8 @@ inline std::unique_ptr<Separator_packing> pack_without_hollows(const Triangulate
                                                                Skeletonization_report& report)
 {
   while (true) {
-    auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
-                                                       detail.min_branch_area_ratio());
+    auto packing =
+        std::make_unique<Separator_packing>(solid.triangulation(), separators, detail.min_branch_area_ratio());
     if (solid.genus() == 0) {
       return packing;
     }

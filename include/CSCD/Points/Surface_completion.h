@@ -169,10 +169,10 @@ private:
   void renumber_canonically()
   {
     const Surface_components components(m_surface.triangles);
-    const Canonical_order order = canonical_order(m_surface.triangles, m_surface.pairing, components);
-    renumber(m_surface.triangles, order.vertices);
+    const std::vector<Index> order = canonical_order(m_surface.triangles, m_surface.pairing, components);
+    renumber(m_surface.triangles, order);
     pair();
-    m_surface.point_of_vertex = reordered(m_surface.point_of_vertex, order.vertices);
+    m_surface.point_of_vertex = reordered(m_surface.point_of_vertex, order);
   }
 
   void report_cut(const Vertex_loop& loop)

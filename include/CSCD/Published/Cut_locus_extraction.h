@@ -115,7 +115,7 @@ void write_cut_locus(const Extracted_cut_locus<Location>& cut_locus, const Norma
   for (Index i = 0; i < cut_locus.vertices.size(); ++i) {
     const auto& vertex = cut_locus.vertices[i];
     using Point = std::decay_t<decltype(result[i].point)>;
-    result[i].point = to_input_point<Point>(normalization, vertex.point);
+    result[i].point = internal::make_point<Point>(normalization.to_input(vertex.point));
     result[i].location = to_input_location(vertex.location);
     result[i].distance = normalization.unit * vertex.distance;
   }

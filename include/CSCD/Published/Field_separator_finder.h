@@ -201,7 +201,6 @@ public:
     result.shortening = Shortening_outcome::collapsed;
     if (m_loop.outcome == Cut_loop_outcome::found) {
       result.separator.source = source;
-      result.separator.level = 0;
       result.shortening = m_shorten(m_loop.halfedges, source, result.separator);
       result.outcome =
           result.shortening == Shortening_outcome::collapsed ? Search_outcome::degenerate : Search_outcome::found;

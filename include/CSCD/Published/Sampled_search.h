@@ -349,7 +349,6 @@ private:
   void shorten_on_finest(Index level, const std::vector<Index>& halfedges, Index source, Field_search_result& result)
   {
     result.separator.source = source;
-    result.separator.level = level;
     m_loop.clear();
     for (const Index halfedge : halfedges) {
       m_loop.push_back(m_space[level].triangulation().origin(halfedge));

@@ -45,8 +45,6 @@ struct Separator
   bool is_open = false;
   /// Its source, a vertex of the finest surface.
   Index source = no_index;
-  /// The level of detail where it was found.
-  Index level = 0;
 
   /// Radius of the circle of the same length.
   double radius() const { return length / (2 * boost::math::double_constants::pi); }
@@ -70,7 +68,6 @@ struct Search_result
   Separator separator;                             ///< where one was found
   bool is_section = false; ///< whether it was shortened by the section plane, else by straightening
   Index level = 0;         ///< the level of detail that decided
-  double loop_length = 0;  ///< length of the loop before shortening, 0 where there was none
 };
 
 } // namespace CSCD

@@ -76,7 +76,7 @@ public:
   std::optional<Ball> operator()(const Vector3& point, const Vector3& axis, double radius)
   {
     const Vector3 aside = axis.cross(m_reference);
-    const auto hit = m_solid.first_hit(point, aside.norm() > 0 ? aside.normalized() : axis.unitOrthogonal());
+    const auto hit = m_solid.queries().first_hit(point, aside.norm() > 0 ? aside.normalized() : axis.unitOrthogonal());
     if (!hit || !m_section.cut_at_face(hit->face, axis, point, max_length * 2 * pi * radius) ||
         !is_in_outline(m_section.points(), point, axis)) {
       return std::nullopt;

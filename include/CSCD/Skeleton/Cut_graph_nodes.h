@@ -196,7 +196,7 @@ private:
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto free_way = [&](const Vector3& point, const Vector3& direction) {
-      const std::optional<Surface_hit> hit = m_cut.solid.first_hit(point, direction);
+      const std::optional<Surface_hit> hit = m_cut.solid.queries().first_hit(point, direction);
       return hit ? hit->distance : infinity;
     };
     double forth = free_way(curve.center, axis);
@@ -219,8 +219,8 @@ private:
   {
     const Vector3 outwards = way.cross(curve.vector_area).normalized();
     const Vector3 place = point + curve.vector_area.norm() / curve.length * outwards;
-    const Surface_point foot = m_cut.solid.closest_point(place);
-    const Vector3 inward = m_cut.solid.inward_direction(foot, place);
+    const Surface_point foot = m_cut.solid.queries().closest_point(place);
+    const Vector3 inward = m_cut.solid.queries().inward_direction(foot, place);
     const double radius = curve.length / (2 * boost::math::double_constants::pi);
     const std::optional<double> depth = depth_below(m_cut.solid, foot.point, inward, radius);
     return depth ? std::optional<Vector3>(foot.point + *depth * inward) : std::nullopt;
@@ -321,7 +321,7 @@ private:
     if (m_cut.around(piece).empty()) {
       const Index vertex = m_cut.solid.query_level().to_finest(*m_pieces[piece].begin());
       m_graph[node].is_on_sheet = m_cut.solid.side_of_sheet(vertex) != 0;
-      m_graph[node].radius = (m_cut.solid.closest_point(position).point - position).norm();
+      m_graph[node].radius = (m_cut.solid.queries().closest_point(position).point - position).norm();
     }
     return node;
   }

@@ -31,7 +31,7 @@ inline std::optional<double> depth_below(const Triangulated_solid& solid, const 
 {
   constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
   const std::optional<Surface_hit> hit =
-      inward.squaredNorm() > 0 ? solid.first_hit(point + relative_offset * inward, inward) : std::nullopt;
+      inward.squaredNorm() > 0 ? solid.queries().first_hit(point + relative_offset * inward, inward) : std::nullopt;
   return hit ? std::optional<double>(std::min(hit->distance / 2, max_depth)) : std::nullopt;
 }
 
@@ -113,8 +113,8 @@ private:
       return false;
     }
     const Vector3 direction = (to - from).normalized();
-    const Surface_point leaving = m_solid.closest_point(from + m_crossings.front() * direction);
-    const Surface_point entering = m_solid.closest_point(from + m_crossings.back() * direction);
+    const Surface_point leaving = m_solid.queries().closest_point(from + m_crossings.front() * direction);
+    const Surface_point entering = m_solid.queries().closest_point(from + m_crossings.back() * direction);
     if (!search_faces(entering.face, leaving.face)) {
       return false;
     }
@@ -276,7 +276,7 @@ private:
   bool is_outside(Index node) const
   {
     const Skeleton_builder::Node& its = m_graph[node];
-    return !its.is_removed && !its.is_opening && (is_flat(node) || !m_surface.is_inside(its.position));
+    return !its.is_removed() && !its.is_opening && (is_flat(node) || !m_surface.is_inside(its.position));
   }
 
   /// The middle of the body behind `point`, which is at `node` or on an edge there.

@@ -264,7 +264,7 @@ private:
     if (m_graph[base].is_on_sheet) {
       return m_pieces.extent(piece, start, direction); // the sheet may bend away from a ray
     }
-    const std::optional<Surface_hit> hit = m_cut.solid.first_hit(start, direction);
+    const std::optional<Surface_hit> hit = m_cut.solid.queries().first_hit(start, direction);
     return hit ? hit->distance : 0;
   }
 

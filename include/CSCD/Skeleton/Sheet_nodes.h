@@ -92,7 +92,7 @@ public:
   std::optional<Ball> operator()(const Vector3& point, const Vector3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides
-    const Index face = m_solid.closest_point(point).face;
+    const Index face = m_solid.queries().closest_point(point).face;
     // Where edges are in the plane, as on grids, it may miss the face next to them.
     const bool is_cut = m_section.cut_at_face(face, axis, point, max_length * expected_length) ||
                         m_section.cut_at_vertex(nearest_corner(face, point, axis), axis, max_length * expected_length);
@@ -289,7 +289,8 @@ private:
   void turn_to_shortest_section()
   {
     const Vector3 aside =
-        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_here.center).face)).normalized();
+        m_direction.cross(m_solid.query_surface().face_vector(m_solid.queries().closest_point(m_here.center).face))
+            .normalized();
     std::array<double, 3> half_width{};
     for (std::size_t k = 0; k < half_width.size(); ++k) {
       const auto middle = m_section(m_here.center, m_direction + (double(k) - 1) * turn * aside, m_here.radius);

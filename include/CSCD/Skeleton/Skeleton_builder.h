@@ -58,10 +58,11 @@ public:
     bool is_on_sheet = false;
     /// About how many vertices of the surface belong to the node; 0 where that was not counted.
     double number_of_vertices = 0;
-    /// Whether the node was merged into another one.
-    bool is_removed = false;
-    /// The node that it was merged into.
+    /// The node that it was merged into; `no_index` unless it was.
     Index heir = no_index;
+
+    /// Whether the node was merged into another one.
+    bool is_removed() const { return heir != no_index; }
   };
 
   /// Adds a node without edges. \return its number
@@ -126,7 +127,7 @@ public:
   /// The node that stands for `node` now: itself, or the one that it was merged into.
   Index last_heir(Index node) const
   {
-    while (m_nodes[node].is_removed) {
+    while (m_nodes[node].is_removed()) {
       node = m_nodes[node].heir;
     }
     return node;
@@ -183,23 +184,24 @@ public:
     return result;
   }
 
-  /// Drops the removed nodes; the others are renumbered in order.
-  void compact()
+  /// Drops the removed nodes; the others are renumbered in order. \return their old numbers
+  std::vector<Index> compact()
   {
+    std::vector<Index> kept;
     std::vector<Index> number(m_nodes.size(), no_index);
-    Index count = 0;
     for (Index node = 0; node < m_nodes.size(); ++node) {
-      if (!m_nodes[node].is_removed) {
-        number[node] = count++;
+      if (!m_nodes[node].is_removed()) {
+        number[node] = Index(kept.size());
+        kept.push_back(node);
       }
     }
-    m_nodes.erase(std::remove_if(m_nodes.begin(), m_nodes.end(), [](const Node& node) { return node.is_removed; }),
-                  m_nodes.end());
+    m_nodes = internal::reordered(m_nodes, kept);
     for (Node& node : m_nodes) {
       for (Index& neighbor : node.neighbors) {
         neighbor = number[neighbor];
       }
     }
+    return kept;
   }
 
 private:
@@ -209,7 +211,6 @@ private:
     append(m_nodes[heir].separators, m_nodes[node].separators);
     append(m_nodes[heir].pieces, m_nodes[node].pieces);
     m_nodes[node] = Node();
-    m_nodes[node].is_removed = true;
     m_nodes[node].heir = heir;
   }
 

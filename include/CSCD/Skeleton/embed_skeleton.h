@@ -21,6 +21,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/Box_tree.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -194,16 +195,9 @@ inline bool thin_branches(const Triangulated_solid& solid, double node_spacing,
       graph.bypass(index);
     }
   }
-  Index number_of_nodes = 0;
-  for (Index index = 0; index < graph.size(); ++index) {
-    if (!graph[index].is_removed) {
-      radius[number_of_nodes++] = radius[index];
-    }
-  }
-  radius.resize(number_of_nodes);
-  const bool is_thinned = number_of_nodes < graph.size();
-  graph.compact();
-  return is_thinned;
+  const Index size = graph.size();
+  radius = reordered(radius, graph.compact());
+  return graph.size() < size;
 }
 
 /// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`. Counts the

@@ -62,7 +62,8 @@ inline Ball inscribed_ball(const Triangulated_solid& solid, const std::vector<Ve
     const auto is_nearer = [&](const Vector3& a, const Vector3& b) {
       return (a - point).squaredNorm() < (b - point).squaredNorm();
     };
-    return rim.empty() ? solid.closest_point(point).point : *std::min_element(rim.begin(), rim.end(), is_nearer);
+    return rim.empty() ? solid.queries().closest_point(point).point
+                       : *std::min_element(rim.begin(), rim.end(), is_nearer);
   };
   Vector3 touched = nearest(start);
   Ball ball{start, (start - touched).norm()};

@@ -33,13 +33,6 @@ struct Normalization
   Normalization then(const Normalization& second) const { return {to_input(second.origin), unit * second.unit}; }
 };
 
-/// The point of any type, constructible from three coordinates, that `point` is in the input.
-template <class Point>
-Point to_input_point(const Normalization& normalization, const Vector3& point)
-{
-  return internal::make_point<Point>(normalization.to_input(point));
-}
-
 namespace internal {
 
 /// Replaces `points` by the normalized ones.

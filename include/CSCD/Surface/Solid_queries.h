@@ -57,16 +57,8 @@ public:
       }
       return distance;
     };
-    if (near != no_index) {
-      try_face(near);
-    }
-    // Boxes without a point nearer than the best one so far are not entered.
-    m_tree.minimize(
-        [&](const Bounding_box& box) {
-          const double distance = box.squared_distance(point);
-          return distance < least ? distance : infinity;
-        },
-        try_face);
+    m_tree.minimize([&point](const Bounding_box& box) { return box.squared_distance(point); }, try_face,
+                    near != no_index ? try_face(near) : infinity);
     return nearest;
   }
 

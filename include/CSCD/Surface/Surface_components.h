@@ -184,13 +184,6 @@ inline std::size_t orient_outwards(Indexed_triangles& triangles, Surface_compone
   return number_of_reversed;
 }
 
-/// An order of the vertices of a surface, component by component.
-struct Canonical_order
-{
-  std::vector<Index> vertices;        ///< the old number of every new vertex
-  std::vector<Index> component_begin; ///< the first new vertex of every component, and their number at the end
-};
-
 /// Where the canonical order of each component begins: the root is the vertex farthest from the centroid, and then
 /// comes the neighbor of the root that is farthest. Of equally far vertices, the lexicographically least is taken, up
 /// to rounding.
@@ -238,10 +231,10 @@ struct Canonical_roots
 
 /// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose
 /// of the surface: breadth-first from the roots over the rings, in counterclockwise order, component by component, in
-/// order of decreasing area. O(n + c log c) for c components.
+/// order of decreasing area. O(n + c log c) for c components. \return the old number of every new vertex
 /// \pre `triangles` is closed, without isolated vertices; `pairing` and `components` are those of its faces
-inline Canonical_order canonical_order(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                       const Surface_components& components)
+inline std::vector<Index> canonical_order(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
+                                          const Surface_components& components)
 {
   constexpr std::size_t prefetch_distance = 8; // in vertices
   const Canonical_roots roots(triangles, pairing, components);
@@ -255,34 +248,33 @@ inline Canonical_order canonical_order(const Indexed_triangles& triangles, const
   std::iota(sorted.begin(), sorted.end(), Index(0));
   std::sort(sorted.begin(), sorted.end(), [&key](Index c, Index d) { return key(c) < key(d); });
 
-  Canonical_order result;
+  std::vector<Index> result;
   std::vector<Index> parent; // of each of the vertices in order, the neighbor where its ring begins
   std::vector<char> is_numbered(triangles.points.size(), 0);
-  result.vertices.reserve(triangles.points.size());
+  result.reserve(triangles.points.size());
   parent.reserve(triangles.points.size());
   const auto append = [&](Index vertex, Index its_parent) {
     if (is_numbered[vertex] == 0) {
       is_numbered[vertex] = 1;
-      result.vertices.push_back(vertex);
+      result.push_back(vertex);
       parent.push_back(its_parent);
     }
   };
   for (const Index component : sorted) {
-    std::size_t at = result.vertices.size();
-    result.component_begin.push_back(Index(at));
+    std::size_t at = result.size();
     append(roots.vertex[component], roots.neighbor[component]);
-    for (; at < result.vertices.size(); ++at) {
+    for (; at < result.size(); ++at) {
 #ifdef __GNUC__
       // Where numbers are scattered, most of the time goes to waiting: prefetch the data of vertices that come soon.
-      if (at + 2 * prefetch_distance < result.vertices.size()) {
-        __builtin_prefetch(pairing.outgoing()[result.vertices[at + 2 * prefetch_distance]].begin());
-        const auto row = pairing.outgoing()[result.vertices[at + prefetch_distance]];
+      if (at + 2 * prefetch_distance < result.size()) {
+        __builtin_prefetch(pairing.outgoing()[result[at + 2 * prefetch_distance]].begin());
+        const auto row = pairing.outgoing()[result[at + prefetch_distance]];
         for (std::size_t j = 0; j < row.size(); j += 2) {
           __builtin_prefetch(&triangles.faces[row.begin()[j] / 3]);
         }
       }
 #endif
-      const Index vertex = result.vertices[at];
+      const Index vertex = result[at];
       const auto row = pairing.outgoing()[vertex];
       const Index* const first = std::find_if(
           row.begin(), row.end(), [&, its_parent = parent[at]](Index h) { return triangles.target(h) == its_parent; });
@@ -290,7 +282,6 @@ inline Canonical_order canonical_order(const Indexed_triangles& triangles, const
       std::for_each(row.begin(), first, [&](Index h) { append(triangles.target(h), vertex); });
     }
   }
-  result.component_begin.push_back(Index(result.vertices.size()));
   return result;
 }
 

@@ -61,32 +61,6 @@ struct Indexed_triangles
   std::size_t first_hole_filling_face = 0;
 };
 
-namespace internal {
-
-/// The sets of vertices that faces join. Near linear.
-inline Disjoint_sets sets_of_vertices(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
-{
-  Disjoint_sets sets(number_of_vertices);
-  for (const auto& [a, b, c] : faces) {
-    sets.join(a, b);
-    sets.join(a, c);
-  }
-  return sets;
-}
-
-/// The areas of the faces.
-inline std::vector<double> face_areas(const Indexed_triangles& triangles)
-{
-  std::vector<double> areas;
-  areas.reserve(triangles.faces.size());
-  for (const auto& [a, b, c] : triangles.faces) {
-    areas.push_back(triangle_area(triangles.points[a], triangles.points[b], triangles.points[c]));
-  }
-  return areas;
-}
-
-} // namespace internal
-
 /// Removes the numbers that no face uses from the numbering, and returns the old numbers of the rest, in order.
 inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
 {
@@ -116,6 +90,28 @@ inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& fac
 
 namespace internal {
 
+/// The sets of vertices that faces join. Near linear.
+inline Disjoint_sets sets_of_vertices(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
+{
+  Disjoint_sets sets(number_of_vertices);
+  for (const auto& [a, b, c] : faces) {
+    sets.join(a, b);
+    sets.join(a, c);
+  }
+  return sets;
+}
+
+/// The areas of the faces.
+inline std::vector<double> face_areas(const Indexed_triangles& triangles)
+{
+  std::vector<double> areas;
+  areas.reserve(triangles.faces.size());
+  for (const auto& [a, b, c] : triangles.faces) {
+    areas.push_back(triangle_area(triangles.points[a], triangles.points[b], triangles.points[c]));
+  }
+  return areas;
+}
+
 /// Removes the points of `triangles` that no face uses. Linear. \return the old numbers of the rest, in order
 inline std::vector<Index> remove_unused_points(Indexed_triangles& triangles)
 {
@@ -125,6 +121,25 @@ inline std::vector<Index> remove_unused_points(Indexed_triangles& triangles)
   }
   triangles.points.resize(old_number.size());
   return old_number;
+}
+
+/// A number of the edge between two vertices that decides between equal choices: scattered, since the first or the
+/// least would lead all choices to one side. The multipliers are primes of xxHash.
+constexpr std::uint32_t scattered(Index a, Index b)
+{
+  constexpr std::uint32_t first_prime = 0x9e3779b1U;
+  constexpr std::uint32_t second_prime = 0x85ebca77U;
+  std::uint32_t mixed = (a * first_prime) ^ (b * second_prime);
+  mixed = (mixed ^ (mixed >> 15U)) * second_prime;
+  return mixed ^ (mixed >> 13U);
+}
+
+/// The point of a fine grid that `point` is nearest to: coordinates that differ by rounding only become equal.
+/// \pre the coordinates are about 1
+inline Vector3 on_grid(const Vector3& point)
+{
+  constexpr double lines = 1 << 30; // for each unit of length
+  return {std::round(lines * point.x()), std::round(lines * point.y()), std::round(lines * point.z())};
 }
 
 } // namespace internal
@@ -148,29 +163,6 @@ inline void sort_faces(Indexed_triangles& triangles)
   }
   triangles.faces = std::move(buckets).values();
 }
-
-namespace internal {
-
-/// A number of the edge between two vertices that decides between equal choices: scattered, since the first or the
-/// least would lead all choices to one side. The multipliers are primes of xxHash.
-constexpr std::uint32_t scattered(Index a, Index b)
-{
-  constexpr std::uint32_t first_prime = 0x9e3779b1U;
-  constexpr std::uint32_t second_prime = 0x85ebca77U;
-  std::uint32_t mixed = (a * first_prime) ^ (b * second_prime);
-  mixed = (mixed ^ (mixed >> 15U)) * second_prime;
-  return mixed ^ (mixed >> 13U);
-}
-
-/// The point of a fine grid that `point` is nearest to: coordinates that differ by rounding only become equal.
-/// \pre the coordinates are about 1
-inline Vector3 on_grid(const Vector3& point)
-{
-  constexpr double lines = 1 << 30; // for each unit of length
-  return {std::round(lines * point.x()), std::round(lines * point.y()), std::round(lines * point.z())};
-}
-
-} // namespace internal
 
 /// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest
 /// corner on. Linear where degrees are bounded.

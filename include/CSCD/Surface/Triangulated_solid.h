@@ -19,7 +19,6 @@
 
 #include <CGAL/Iterator_range.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -73,20 +72,10 @@ public:
   /// The numbers of the points as they were given that belong to `vertex`: its own, unless it was inserted, and the
   /// numbers of the vertices of cavities that it is nearest to.
   CGAL::Iterator_range<const Index*> input_vertices(Index vertex) const { return m_input_vertices[vertex]; }
-  /// The connected component of `vertex`; O(log c) for c components.
-  Index component(Index vertex) const
-  {
-    const auto next = std::upper_bound(m_component_begin.begin(), m_component_begin.end(), vertex);
-    return Index(next - m_component_begin.begin()) - 1;
-  }
   /// The number of connected components.
-  std::size_t number_of_components() const { return m_component_begin.size() - 1; }
+  std::size_t number_of_components() const { return m_report.number_of_surface_components; }
   /// The number of handles, over all components.
-  std::size_t genus() const
-  {
-    return genus_of_closed_surface(number_of_components(), triangulation().number_of_vertices(),
-                                   triangulation().number_of_faces());
-  }
+  std::size_t genus() const { return *m_report.genus; }
   /// From the coordinates of the triangles as they were given.
   const Normalization& normalization() const { return m_normalization; }
   /// @}
@@ -110,17 +99,11 @@ public:
   const Triangulated_surface& query_surface() const { return query_level().surface; }
   /// Whether the body contains `point`. Where the surface intersects itself, the inside of several sheets is inside.
   bool is_inside(const Vector3& point) const { return queries().is_inside(point); }
-  /// The point of the surface nearest to `point`.
-  Surface_point closest_point(const Vector3& point) const { return queries().closest_point(point); }
-  /// The direction into the body at `nearest`, the answer of `closest_point(point)`.
-  Vector3 inward_direction(const Surface_point& nearest, const Vector3& point) const
+  /// These and further queries of the body.
+  const internal::Solid_queries& queries() const
   {
-    return queries().inward_direction(nearest, point);
-  }
-  /// The first point where the ray from `origin` along `direction` meets the surface, if any.
-  std::optional<Surface_hit> first_hit(const Vector3& origin, const Vector3& direction) const
-  {
-    return queries().first_hit(origin, direction);
+    std::call_once(m_queries_built, [this] { m_queries.emplace(query_surface()); });
+    return *m_queries;
   }
   /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
   std::optional<Vector3> middle_behind(const Vector3& point) const { return queries().middle_behind(point); }
@@ -144,18 +127,12 @@ private:
   /// Adds warnings about the input to the report.
   void warn(std::size_t number_of_reversed_components);
 
-  const internal::Solid_queries& queries() const
-  {
-    std::call_once(m_queries_built, [this] { m_queries.emplace(query_surface()); });
-    return *m_queries;
-  }
   /// Of the face nearest to `place`, the vertex that is nearest.
   Index nearest_vertex(const Vector3& place) const;
 
   std::unique_ptr<const Surface_levels> m_levels;
   internal::Compressed_rows<Index> m_input_vertices; ///< of every vertex
-  std::vector<Index> m_component_begin;     ///< the first vertex of every component, and the number of vertices
-  std::vector<signed char> m_side_of_sheet; ///< of every vertex; empty without sheets
+  std::vector<signed char> m_side_of_sheet;          ///< of every vertex; empty without sheets
   Normalization m_normalization;
   Skeletonization_report m_report;
   mutable std::once_flag m_queries_built;

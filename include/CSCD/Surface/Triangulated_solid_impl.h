@@ -119,12 +119,11 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
   if (m_report.number_of_sheets > 0) {
     internal::extend_sides(triangles, m_side_of_sheet);
   }
-  internal::Canonical_order order = internal::canonical_order(triangles, pairing, components);
+  const std::vector<Index> order = internal::canonical_order(triangles, pairing, components);
   pairing = {}; // before memory is allocated for the pairing of the new numbers
-  renumber(triangles, order.vertices);
-  input_number = internal::reordered(input_number, order.vertices);
-  m_side_of_sheet = internal::reordered(m_side_of_sheet, order.vertices);
-  m_component_begin = std::move(order.component_begin);
+  renumber(triangles, order);
+  input_number = internal::reordered(input_number, order);
+  m_side_of_sheet = internal::reordered(m_side_of_sheet, order);
   // Summed in canonical order, the area and the centroid are the same for any order of the input.
   const Normalization to_unit_area = normalize_area(triangles);
   m_normalization = to_unit_box.then(to_unit_area);
@@ -132,8 +131,9 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
   CGAL_postcondition(!surface.has_defect());
   m_levels = std::make_unique<const Surface_levels>(std::move(surface), number_of_threads, has_many_limbs);
   m_report.number_of_levels = m_levels->size();
-  m_report.number_of_surface_components = number_of_components();
-  m_report.genus = genus();
+  m_report.number_of_surface_components = components.number();
+  m_report.genus = genus_of_closed_surface(components.number(), triangulation().number_of_vertices(),
+                                           triangulation().number_of_faces());
 
   std::vector<Index> nearest; // to each vertex of cavities
   for (const Vector3& place : cavities.places) {
@@ -174,7 +174,7 @@ CSCD_INLINE void Triangulated_solid::warn(std::size_t number_of_reversed_compone
 CSCD_INLINE Index Triangulated_solid::nearest_vertex(const Vector3& place) const
 {
   const Surface_level& level = query_level();
-  const auto sides = Triangulated_surface::face_halfedges(closest_point(place).face);
+  const auto sides = Triangulated_surface::face_halfedges(queries().closest_point(place).face);
   const auto distance = [&](Index h) { return (level.surface.point(level.surface.origin(h)) - place).squaredNorm(); };
   return level.to_finest(level.surface.origin(*std::min_element(
       sides.begin(), sides.end(), [&distance](Index a, Index b) { return distance(a) < distance(b); })));

@@ -127,7 +127,7 @@ public:
       : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
         m_is_hole_filling(hole_filling_faces(triangles)), m_rank(triangles.points.size())
   {
-    const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
+    const std::vector<Index> order = canonical_order(triangles, pairing, components);
     for (Index rank = 0; rank < order.size(); ++rank) {
       m_rank[order[rank]] = rank;
     }

@@ -101,10 +101,10 @@ public:
   /// Calls `visit(object)`, which returns the value of the object, for all objects that can have the least value,
   /// starting in the most promising box.
   /// \param bound `bound(box)` is at most the value of every object in the box
+  /// \param least a value that is known already: boxes that cannot have a lesser one are not entered
   template <class Bound, class Visit>
-  void minimize(const Bound& bound, const Visit& visit) const
+  void minimize(const Bound& bound, const Visit& visit, double least = std::numeric_limits<double>::infinity()) const
   {
-    double least = std::numeric_limits<double>::infinity();
     using Bounded_node = std::pair<double, Index>;
     std::priority_queue<Bounded_node, std::vector<Bounded_node>, std::greater<>> to_do;
     const auto meet = [&](const std::array<Index, 2>& children) {
