@@ -301,6 +301,24 @@ TEST(Thin_limb, of_long_faces_is_followed_to_its_end)
   }
 }
 
+TEST(Thin_limb, of_four_sides_is_followed_along_all_its_turns)
+{
+  std::vector<CSCD::test::Triple> places; // a coil whose rings are five times as far apart as it is thick
+  for (int i = 0; i < 700; ++i) {
+    places.push_back({20 * std::cos(i / 20.), 20 * std::sin(i / 20.), 0.13 * i});
+  }
+  const CSCD::test::Shape coil =
+      CSCD::test::swept_shape("", places, std::vector<double>(700, 0.15), 4, CSCD::test::Tube_end::flat);
+  Skeleton skeleton;
+  EXPECT_EQ(CSCD::extract_curve_skeleton(CSCD::test::to_mesh<Mesh>(coil), skeleton).number_of_edges_outside, 0U);
+  double length = 0;
+  for (const auto edge : CGAL::make_range(edges(skeleton))) {
+    length += std::sqrt(
+        CGAL::squared_distance(skeleton[source(edge, skeleton)].point, skeleton[target(edge, skeleton)].point));
+  }
+  EXPECT_NEAR(length, 699 * std::hypot(1, 0.13), 5);
+}
+
 TEST(Shaft, has_a_straight_axis_and_no_branches_in_its_flange)
 {
   for (const auto& [radius, thickness] :

@@ -25,8 +25,8 @@
 
 namespace CSCD {
 
-/// The default model of `SeparatorFinder`: polar front, stopped early, on the level of detail that suits the limb;
-/// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
+/// Finds separators: a front in polar coordinates, stopped early, on the level of detail that suits the limb; meetings
+/// while it grows; shortening by the section plane through the source, by straightening where that fails.
 ///
 /// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each
 /// source; the work for a source is a few hundred visited vertices on a surface of any size.
@@ -93,8 +93,8 @@ private:
   static constexpr int number_of_axis_steps = 2;
 
   /// A section across a limb of long faces crosses at least this many edges: a pin of four sides is crossed by eight.
-  /// Where edges are as short as the limb is thick, as of clouds, fewer are crossed, and the surface is uncertain.
-  static constexpr std::size_t min_crossings_of_long_faces = 12;
+  /// With six, clouds whose edges are as long as their limbs are thick get false branches.
+  static constexpr std::size_t min_crossings_of_long_faces = 8;
   /// It is at least this round: two sides of a sheet are not.
   static constexpr double min_roundness_of_long_faces = 0.2;
   /// Its center lies below the source, up to an angle of this cosine.
