@@ -6,6 +6,7 @@
 #include <CSCD/IO/write_nrrd.h>
 #include <CSCD/Options.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/extract_curve_skeleton_from_volume.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -71,6 +72,7 @@ TEST(extract_curve_skeleton_from_volume, finds_rings_where_they_are)
 /// The report on the voxels where `is_inside(x, y, z)`, of `height` layers that are `size` voxels wide and long.
 template <class Predicate>
 CSCD::Skeletonization_report skeletonize_voxels(std::size_t size, std::size_t height, const Predicate& is_inside,
+                                                Volume_skeleton& skeleton,
                                                 std::size_t max_sources = CSCD::Options().maximum_number_of_sources)
 {
   CSCD::Volume volume;
@@ -80,8 +82,31 @@ CSCD::Skeletonization_report skeletonize_voxels(std::size_t size, std::size_t he
   }
   CSCD::Voxel_surface surface = make_voxel_surfaces(volume).front();
   surface.turn_cavities();
-  Volume_skeleton skeleton;
   return CSCD::extract_curve_skeleton(surface, skeleton, CSCD::parameters::maximum_number_of_sources(max_sources));
+}
+
+TEST(extract_curve_skeleton_from_volume, keeps_bars_of_one_voxel)
+{
+  constexpr std::size_t size = 41;
+  constexpr std::size_t cell = 10;
+  CSCD::Volume grid; // five bars in either direction
+  grid.grid.size = {size, size, 1};
+  for (std::size_t i = 0; i < size * size; ++i) {
+    grid.labels.push_back(i % size % cell == 0 || i / size % cell == 0 ? 1 : 0);
+  }
+  const CSCD::Voxel_surface surface = make_voxel_surfaces(grid).front();
+  const double volume = CSCD::internal::Surface_components(surface.triangles).measures.front().volume;
+  EXPECT_NEAR(volume, double(surface.number_of_voxels), 0.03 * double(surface.number_of_voxels));
+  Volume_skeleton skeleton;
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(surface, skeleton);
+  EXPECT_EQ(report.betti_number, 16U);
+  EXPECT_EQ(report.number_of_edges_outside, 0U);
+  double length = 0;
+  for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
+    length += std::sqrt(
+        CGAL::squared_distance(skeleton[source(edge, skeleton)].point, skeleton[target(edge, skeleton)].point));
+  }
+  EXPECT_NEAR(length, 10 * (size - 1), 0.05 * 10 * (size - 1));
 }
 
 TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_sponges)
@@ -94,7 +119,8 @@ TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_sponges)
     const auto is_inside = [&](std::size_t x, std::size_t y, std::size_t z) {
       return x * y * z > 0 && std::max({x, y, z}) + 1 < size && random() % 5 < 2;
     };
-    const CSCD::Skeletonization_report report = skeletonize_voxels(size, size, is_inside, 1 + seed % 2 * 20);
+    Volume_skeleton skeleton;
+    const CSCD::Skeletonization_report report = skeletonize_voxels(size, size, is_inside, skeleton, 1 + seed % 2 * 20);
     EXPECT_GT(report.number_of_handle_cuts, 5U) << seed;
     EXPECT_EQ(report.betti_number, report.genus) << seed;
   }
@@ -103,17 +129,22 @@ TEST(extract_curve_skeleton_from_volume, has_all_cycles_of_sponges)
 TEST(extract_curve_skeleton_from_volume, has_a_branch_for_each_pin_of_a_plate)
 {
   const auto is_inside = [](std::size_t x, std::size_t y, std::size_t z) { return z < 10 || (x % 8 < 4 && y % 8 < 4); };
-  const CSCD::Skeletonization_report report = skeletonize_voxels(160, 50, is_inside);
-  EXPECT_EQ(report.number_of_tips, 400U);
+  Volume_skeleton skeleton;
+  const CSCD::Skeletonization_report report = skeletonize_voxels(160, 50, is_inside, skeleton);
+  const auto is_top = [&](auto node) { return out_degree(node, skeleton) == 1 && skeleton[node].point.z() > 45; };
+  EXPECT_EQ(std::count_if(vertices(skeleton).first, vertices(skeleton).second, is_top), 400);
+  EXPECT_LE(report.number_of_tips, 404U); // the plate has four corners
   EXPECT_EQ(report.number_of_edges_outside, 0U);
 }
 
 TEST(extract_curve_skeleton_from_volume, leads_edges_between_many_tunnels)
 {
   const auto is_in_tunnel = [](auto a, auto b) { return a % 20 / 4 == b / 20 % 5 && b % 20 / 4 == a / 20 % 5; };
-  const CSCD::Skeletonization_report report = skeletonize_voxels(100, 100, [&](auto x, auto y, auto z) {
+  const auto is_inside = [&](auto x, auto y, auto z) {
     return !is_in_tunnel(x, y) && !is_in_tunnel(y, z) && !is_in_tunnel(z, x);
-  });
+  };
+  Volume_skeleton skeleton;
+  const CSCD::Skeletonization_report report = skeletonize_voxels(100, 100, is_inside, skeleton);
   EXPECT_EQ(report.betti_number, report.genus);
   EXPECT_LE(report.number_of_edges_outside, report.number_of_edges / 500);
 }

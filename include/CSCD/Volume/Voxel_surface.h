@@ -183,10 +183,23 @@ inline Corner_sheets make_corner_sheets(unsigned octants, bool joins_diagonally)
   return result;
 }
 
-/// Smooths the vertices of a closed surface in units of voxels; linear.
+/// Adds to `sums`, for every vertex, `values` of its neighbors, each once, as the surface is closed.
+template <class Value>
+void add_neighbors(const std::vector<std::array<Index, 3>>& faces, const std::vector<Value>& values,
+                   std::vector<Value>& sums)
+{
+  for (const auto& [a, b, c] : faces) {
+    sums[a] += values[b];
+    sums[b] += values[c];
+    sums[c] += values[a];
+  }
+}
+
+/// Smooths the vertices of a closed surface in units of voxels; linear. Limbs stay as thick as they are: vertices move
+/// outwards again by their depth below the surface of the voxels, averaged over the neighborhood.
 inline void smooth_voxel_surface(Indexed_triangles& triangles)
 {
-  constexpr int number_of_steps = 10; // an even terrace of six voxels becomes a slope
+  constexpr int number_of_steps = 20; // in turns shrinking and growing: an even terrace of six voxels becomes a slope
   constexpr double shrinking = 0.5;   // the factors of Taubin, for a pass band of 0.1
   constexpr double growing = 1 / (0.1 - 1 / shrinking);
   constexpr double max_displacement = 0.45; // voxels: neighbors in a row never change places
@@ -198,20 +211,44 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
       ++degree[vertex];
     }
   }
+  const auto move = [&](std::size_t i, const Vector3& way) {
+    points[i] = (points[i] + way)
+                    .cwiseMax(places[i] - Vector3::Constant(max_displacement))
+                    .cwiseMin(places[i] + Vector3::Constant(max_displacement));
+  };
   std::vector<Vector3> sums(points.size());
-  for (int step = 0; step < 2 * number_of_steps; ++step) {
+  for (int step = 0; step < number_of_steps; ++step) {
     std::fill(sums.begin(), sums.end(), Vector3::Zero());
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        sums[face[i]] += points[face[(i + 1) % 3]]; // once for each neighbor, as the surface is closed
-      }
-    }
+    add_neighbors(triangles.faces, points, sums);
     const double factor = step % 2 == 0 ? shrinking : growing;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector3 moved = points[i] + factor * (sums[i] / double(degree[i]) - points[i]);
-      points[i] = moved.cwiseMax(places[i] - Vector3::Constant(max_displacement))
-                      .cwiseMin(places[i] + Vector3::Constant(max_displacement));
+      move(i, factor * (sums[i] / double(degree[i]) - points[i]));
     }
+  }
+
+  std::vector<Vector3>& normals = sums;
+  std::fill(normals.begin(), normals.end(), Vector3::Zero());
+  for (const auto& [a, b, c] : triangles.faces) {
+    const Vector3 normal = (points[b] - points[a]).cross(points[c] - points[a]);
+    for (const Index vertex : {a, b, c}) {
+      normals[vertex] += normal;
+    }
+  }
+  std::vector<double> depths(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    normals[i] = normals[i].normalized();
+    depths[i] = normals[i].dot(places[i] - points[i]);
+  }
+  std::vector<double> sums_of_depths(points.size());
+  for (int step = 0; step < number_of_steps; ++step) {
+    std::fill(sums_of_depths.begin(), sums_of_depths.end(), 0.);
+    add_neighbors(triangles.faces, depths, sums_of_depths);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      depths[i] = (depths[i] + sums_of_depths[i] / double(degree[i])) / 2;
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    move(i, depths[i] * normals[i]);
   }
 }
 
@@ -243,8 +280,9 @@ inline void coarsen_voxel_surface(Indexed_triangles& triangles, std::size_t numb
 /// connectivity demands; two voxels that meet in a corner alone are joined there by a tube, if they are. So the surface
 /// is a closed manifold that is homotopy equivalent to the body of voxels, whose handles, components and cavities it
 /// has. Then vertices are smoothed by the method of G. Taubin, *A signal processing approach to fair surface design*,
-/// SIGGRAPH 1995, and stay within half a voxel of where they were; where the surface is finer than its curvature needs,
-/// some are left out. Linear in the number of voxels.
+/// SIGGRAPH 1995, and moved outwards by as much as the surface around them has shrunk, so that thin limbs stay as
+/// thick; they stay within half a voxel of where they were. Where the surface is finer than its curvature needs, some
+/// are left out. Linear in the number of voxels.
 class Voxel_surface_builder
 {
 public:
