@@ -4,6 +4,7 @@
 // The pipeline step by step: its answer and the order of its stages.
 
 #include "support/convert_shape.h"
+#include "support/implicit_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
@@ -93,6 +94,26 @@ TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)
   Skeleton parallel;
   all.run<CGAL::Parallel_tag>(parallel);
   expect_equal(stepwise, parallel);
+}
+
+TEST(Curve_skeletonization_of_a_pipe, may_be_packed_again)
+{
+  const auto wall = [](const CSCD::test::Triple& p) {
+    return std::fmax(std::fabs(std::hypot(p[0], p[1]) - 0.75) - 0.25, std::fabs(p[2]) - 1.5);
+  };
+  const Mesh pipe =
+      CSCD::test::to_mesh<Mesh>(CSCD::test::implicit_surface(wall, {-1.3, -1.3, -1.8}, {1.3, 1.3, 1.8}, 0.1));
+  const Traits traits(pipe);
+  Skeletonization skeletonization(traits);
+  skeletonization.find_separators();
+  skeletonization.pack_separators();
+  EXPECT_GT(skeletonization.report().number_of_tunnels, 0U);
+  Skeleton once;
+  skeletonization.convert_to_skeleton(once);
+  skeletonization.pack_separators();
+  Skeleton twice;
+  skeletonization.convert_to_skeleton(twice);
+  expect_equal(once, twice);
 }
 
 TEST_F(Curve_skeletonization, draws_separators_in_the_coordinates_of_the_input)

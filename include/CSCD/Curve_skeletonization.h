@@ -68,7 +68,9 @@ public:
   {
   }
   /// Prepares to skeletonize `input`, a mesh or another input that traits can be constructed from, which is not
-  /// referred to later: `Curve_skeletonization skeletonization(mesh);`.
+  /// referred to later: `Curve_skeletonization skeletonization(mesh);`. Borders of a mesh are bridged, those of sheets,
+  /// too: for the default of `extract_curve_skeleton()`, construct a `Triangle_mesh_traits` with
+  /// `Border_treatment::automatic`.
   /// \throw Input_error if the input cannot be skeletonized; the message names the element and the remedy
   template <class Input,
             std::enable_if_t<!std::is_same_v<Input, Traits> && std::is_constructible_v<Traits, const Input&>, int> = 0>
@@ -132,13 +134,13 @@ public:
     return m_report.number_of_separators;
   }
 
-  /// Weighs, packs and prunes the separators, and cuts the surface along the remaining ones.
+  /// Weighs, packs and prunes the separators, and cuts the surface along the remaining ones. May be called again.
   /// \return the number of packed separators
   /// \throw Cancelled_error if the visitor stops the work
   std::size_t pack_separators()
   {
     Stage_runner(m_visitor, m_report.seconds)(Skeletonization_stage::pack_separators, [this] {
-      m_separators.resize(m_report.number_of_separators);
+      m_separators.resize(m_separators.size() - std::exchange(m_report.number_of_handle_cuts, 0));
       m_packing.emplace(m_policies.pack_separators(m_traits->surface(), m_separators, m_report));
       m_report.number_of_packed_separators = m_packing->packed().size();
       m_report.number_of_open_separators =
@@ -183,7 +185,7 @@ public:
 
   /// The counts, times and warnings of the stages that have been run.
   const Skeletonization_report& report() const { return m_report; }
-  /// All separators that were found, and separators added around handles that no source had found.
+  /// The separators that were found, except those that packing removed, and those that it added around handles.
   const std::vector<Separator>& separators() const { return m_separators; }
   /// The packed separators, as positions in `separators()`.
   /// \pre `pack_separators()` has been called
