@@ -18,8 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -230,7 +228,8 @@ public:
   {
   }
 
-  /// Whether each component is such a cavity, without a body in it. O(n log n) where any component faces inwards.
+  /// Whether each component is such a cavity; a body in it has a skeleton of its own. O(n log n) where any component
+  /// faces inwards.
   std::vector<char> operator()()
   {
     if (m_components.number() == 1) {
@@ -241,7 +240,6 @@ public:
     }
     if (std::count(m_is_cavity.begin(), m_is_cavity.end(), 1) > 0) {
       keep_within_bodies();
-      drop_around_bodies();
     }
     return m_is_cavity;
   }
@@ -282,30 +280,6 @@ private:
     }
     for (Index c = 0; c < m_components.number(); ++c) {
       m_is_cavity[c] = m_is_cavity[c] != 0 && excess[c] <= 0 ? 1 : 0;
-    }
-  }
-
-  /// A body in a cavity has a skeleton of its own, and needs the void around it.
-  void drop_around_bodies()
-  {
-    const Triangulated_surface cavities = surface_of(true);
-    if (cavities.number_of_faces() == 0) {
-      return;
-    }
-    std::vector<Index> component; // of each face of the cavities
-    std::copy_if(m_components.component.begin(), m_components.component.end(), std::back_inserter(component),
-                 [this](Index c) { return m_is_cavity[c] != 0; });
-    const Solid_queries queries(cavities);
-    std::vector<char> is_visited(m_is_cavity);
-    for (std::size_t face = 0; face < m_triangles.faces.size(); ++face) {
-      const Index body = m_components.component[face];
-      if (std::exchange(is_visited[body], 1) == 0) {
-        const Vector3& point = m_triangles.points[m_triangles.faces[face][0]];
-        const auto hit = queries.is_inside(point) ? queries.first_hit(point, Vector3::UnitX()) : std::nullopt;
-        if (hit && m_components.measures[body].volume < -m_components.measures[component[hit->face]].volume) {
-          m_is_cavity[component[hit->face]] = 0;
-        }
-      }
     }
   }
 
