@@ -97,14 +97,14 @@ Option file_option(const char* name, std::string& file, const char* content)
 std::vector<Option> fragment_options(CSCD::internal::Simplification_parameters& options, const char* unit)
 {
   return {Option{"min-component", &options.min_component_size, "N",
-                 std::string("drop components of less than N ") + unit + ", except the largest"}
+                 std::string("drop components of fewer ") + unit + " than this, except the largest"}
               .at_least(1),
           {"join", &options.joins_components, "", "join components by the shortest straight edges"}};
 }
 
 Option root_option(std::string& root)
 {
-  return Option{"root", &root, "WHERE", "where the skeleton begins: X,Y,Z, thickest, lowest, or longest (path)"}
+  return Option{"root", &root, "WHERE", "where the skeleton begins: coordinates, thickest, lowest, or longest (path)"}
       .checked_by(check_root);
 }
 
@@ -190,7 +190,7 @@ std::vector<Option> options_of(Skeletonize_options& o)
          {Option{"INPUT", &o.input, "", "file of a mesh, of points or of a volume, or - for standard input"}.required(),
           format_option(o.format, input_endings(), {"graph", "json", "swc"})});
   append(table, skeleton_group,
-         {Option{"as", &o.domain, "graph", "skeletonize the edges of INPUT, which need not be of a surface"}
+         {Option{"as", &o.domain, "graph", "skeletonize the edges of the input, which need not be of a surface"}
               .one_of({graph_domain})
               .of(mesh_input | point_input | graph_input)
               .of_other_methods(),
@@ -203,7 +203,7 @@ std::vector<Option> options_of(Skeletonize_options& o)
           Option{"borders", &o.borders, "auto|bridge|open", "bridge borders, or let components with borders be sheets"}
               .one_of({automatic_borders, bridged_borders, open_borders})
               .of(mesh_input | volume_input),
-          Option{"wrap", &o.wrap, "SIZE", "close gaps narrower than SIZE of the diagonal, join parts that touch"}
+          Option{"wrap", &o.wrap, "SIZE", "close gaps narrower than this part of the diagonal, join parts that touch"}
               .in(0.001, 0.5) // a wrap has some 1 / size^2 vertices
               .of(mesh_input)
               .of_other_methods(),
@@ -213,7 +213,8 @@ std::vector<Option> options_of(Skeletonize_options& o)
               .in(0, 1)
               .of(mesh_input | point_input | volume_input)
               .of_method(local_method),
-          Option{"spacing", &o.spacing, "S", "leave nodes out of straight branches, for edges of up to S local radii"}
+          Option{"spacing", &o.spacing, "S",
+                 "leave nodes out of straight branches, for edges of up to so many local radii"}
               .at_least(0)
               .of(mesh_input | point_input | volume_input)
               .of_method(local_method)});
@@ -296,10 +297,10 @@ std::vector<Option> options_of(Simplify_options& o)
   append(
       table, skeleton_group,
       {Option{"min-significance", &o.steps.min_significance, "S",
-              "prune limbs that reach less than S radii beyond the body"}
+              "prune limbs that reach fewer radii than this beyond the body"}
            .at_least(0),
-       Option{"min-length", &o.steps.min_length, "L", "prune limbs shorter than L"}.at_least(0),
-       Option{"min-length-over-radius", &o.steps.min_length_over_radius, "X", "prune limbs shorter than X radii"}
+       Option{"min-length", &o.steps.min_length, "L", "prune limbs shorter than this"}.at_least(0),
+       Option{"min-length-over-radius", &o.steps.min_length_over_radius, "X", "prune limbs shorter than so many radii"}
            .at_least(0),
        Option{"spacing", &o.steps.spacing, "D", "distance of nodes along branches; Xr means X local radii"}.at_least(0),
        Option{"spacing-over-radius", &o.steps.spacing_over_radius, "X", "the same in local radii"}.at_least(0)});

@@ -100,24 +100,28 @@ Input read_mesh(const std::string& name, const std::string& format, bool is_quie
 {
   Input input = read_input(name, format, is_quiet, keeps_file);
   if (input.is_point_set) {
-    throw CSCD::Input_error(name_of(name) + ": has no faces: this needs a mesh");
+    throw CSCD::Input_error(name_of(name) + ": has no faces; name a mesh");
   }
   return input;
 }
 
 namespace {
 
-/// Adds the sides of the polygons of `soup`.
+/// Adds the sides of the polygons of `soup`, each once.
 void add_sides(const CSCD::Shape_file& soup, Skeleton& graph)
 {
-  graph.edges.reserve(graph.edges.size() + soup.corners.size());
+  std::vector<std::array<Index, 2>> sides;
+  sides.reserve(soup.corners.size());
   for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
     const std::size_t begin = soup.first_corner[polygon];
     const std::size_t end = soup.first_corner[polygon + 1];
     for (std::size_t i = begin; i < end; ++i) {
-      graph.edges.push_back({soup.corners[i], soup.corners[i + 1 < end ? i + 1 : begin]});
+      const auto [a, b] = std::minmax(soup.corners[i], soup.corners[i + 1 < end ? i + 1 : begin]);
+      sides.push_back({a, b});
     }
   }
+  std::sort(sides.begin(), sides.end());
+  graph.edges.insert(graph.edges.end(), sides.begin(), std::unique(sides.begin(), sides.end()));
 }
 
 } // namespace

@@ -67,7 +67,7 @@ void simplify(const Simplify_options& options)
   if (!options.mesh.empty()) {
     input = read_input(options.mesh, options.format, options.is_quiet);
     if (input->is_point_set) {
-      throw CSCD::Input_error(options.mesh + ": has no faces: only a mesh tells what is inside; leave out --mesh");
+      throw CSCD::Input_error(options.mesh + ": has no faces: only a mesh has an inside; leave out --mesh");
     }
   }
   Skeleton skeleton = read_skeleton_argument(options.skeleton);

@@ -34,6 +34,7 @@
 #include <locale>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -52,14 +53,21 @@ bool is_rig(const std::string& output)
 
 void check_outputs(const Skeletonize_options& options)
 {
+  std::set<std::filesystem::path> files;
+  const auto check = [&](const std::string& file, const std::string& option) {
+    check_is_not_input(file, options.input, option);
+    if (file != standard_stream && !files.insert(std::filesystem::path(file).lexically_normal()).second) {
+      throw Usage_error(option + ": " + file + " is the file of another result; name a file for each");
+    }
+  };
   for (const std::string& output : options.outputs) {
     if (!is_rig(output) && !is_node_volume(output) && !is_page(output)) {
       check_skeleton_argument(output, " .glb .html");
     }
-    check_is_not_input(output, options.input, "--output");
+    check(output, "--output");
   }
   for (const auto& [option, file] : given_files(options)) {
-    check_is_not_input(file, options.input, option);
+    check(file, option);
   }
   if (std::any_of(options.outputs.begin(), options.outputs.end(), is_page)) {
     check_viewer_source();

@@ -332,7 +332,7 @@ void place_nodes(const Normalization& normalization, Skeleton& skeleton)
 void place_radii(const Normalization& normalization, Skeleton& skeleton)
 {
   if (!skeleton.has_radii()) {
-    throw Input_error("the skeleton has no radii of its own: let them be estimated");
+    throw Input_error("the skeleton has no radii: estimate them, by --radii estimated or without use_skeleton_radii");
   }
   double sum = 0;
   for (std::size_t v = 0; v < skeleton.radii.size(); ++v) {

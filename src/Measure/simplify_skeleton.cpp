@@ -474,7 +474,7 @@ void check_simplification(const Skeleton& skeleton, const Simplification_paramet
     }
   }
   if (parameters.spacing > 0 && parameters.spacing_over_radius > 0) {
-    throw Input_error("spacing and spacing_over_radius cannot both be followed: leave one out");
+    throw Input_error("nodes cannot have a spacing by length and one by radius: leave one out");
   }
   const bool needs_radii =
       parameters.min_significance > 0 || parameters.min_length_over_radius > 0 || parameters.spacing_over_radius > 0;
