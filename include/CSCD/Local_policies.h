@@ -53,7 +53,7 @@ public:
   const Detail& detail() const { return m_detail; }
 
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
-  /// Separators around a hollow are not returned.
+  /// It leaves out separators around a hollow.
   std::vector<Separator> find_separators(const Triangulated_solid& solid, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 

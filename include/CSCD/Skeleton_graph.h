@@ -53,7 +53,7 @@ struct Skeleton_edge
   /// How far the limb that the edge belongs to reaches beyond the body it stands on, in radii of the limb; infinite if
   /// pruning never cuts the edge. See `compute_significance()`.
   double significance = std::numeric_limits<double>::infinity();
-  /// Whether the edge was added by `simplify_skeleton()` to join two components: it lies outside of the body.
+  /// Whether the edge was added by `simplify_skeleton()` to join two components: it may leave the body.
   bool is_joined = false;
 };
 

@@ -101,20 +101,20 @@ struct Skeletonization_report
   /// \name Separators
   /// @{
   std::size_t number_of_sources = 0;             ///< sources that started a search for a separator
-  std::size_t number_of_sources_without_cut = 0; ///< no acceptable cut point was met
+  std::size_t number_of_sources_without_cut = 0; ///< sources whose search found neither a separator nor a bump
   /// Why sources have no cut point that is accepted, in the order of `Cut_loop_outcome`; published only.
   std::array<std::size_t, number_of_cut_loop_outcomes> number_of_rejections{};
   std::size_t number_of_collapsed_loops = 0;    ///< the loop shrank to a point when it was shortened; published only
   std::size_t number_of_held_loops = 0;         ///< separators that only the locality constraint holds; published only
   std::size_t number_of_unfinished_loops = 0;   ///< separators that could still be shortened; published only
   std::size_t number_of_bumps = 0;              ///< separators rejected since they only encircle a bump
-  std::size_t number_of_tunnels = 0;            ///< separators rejected since they do not span the body
+  std::size_t number_of_tunnels = 0;            ///< separators around hollows, dropped after the search or in packing
   std::size_t number_of_separators = 0;         ///< separators found
-  std::size_t number_of_plane_sections = 0;     ///< of these, shortened by the section plane
-  std::size_t number_of_straightened_loops = 0; ///< of these, shortened by straightening
+  std::size_t number_of_plane_sections = 0;     ///< separators shortened by the section plane
+  std::size_t number_of_straightened_loops = 0; ///< separators shortened by straightening
   std::size_t number_of_packed_separators = 0;  ///< separators that cut the surface
-  std::size_t number_of_open_separators = 0;    ///< of these, separators of sheets from border to border
-  std::size_t number_of_handle_cuts = 0;        ///< of these, added for handles that no source had found
+  std::size_t number_of_open_separators = 0;    ///< packed separators of sheets, from border to border
+  std::size_t number_of_handle_cuts = 0;        ///< packed separators added for handles that no source had found
   /// @}
 
   /// \name Skeleton
@@ -127,7 +127,7 @@ struct Skeletonization_report
   std::size_t number_of_junctions = 0;           ///< nodes of degree 3 or more
   std::size_t number_of_openings = 0;            ///< nodes at borders of the input, where limbs end
   std::size_t number_of_nodes_outside = 0;       ///< nodes that are not inside the (bridged) surface
-  std::size_t number_of_edges_outside = 0;       ///< edges with a sample that is not inside
+  std::size_t number_of_edges_outside = 0;       ///< edges that are not wholly inside
   /// @}
 
   /// Number of threads that the parallel part may have used.

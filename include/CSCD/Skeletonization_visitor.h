@@ -51,7 +51,7 @@ struct Default_skeletonization_visitor
   void on_stage_end(Skeletonization_stage /* stage */) {}
   /// The running stage has done the part `fraction` of its work, in [0, 1]. A stage never reports less than before.
   void progress(double /* fraction */) {}
-  /// Whether to continue: `false` makes the computation throw `Cancelled_error` at once. Called between batches.
+  /// Whether to continue: `false` makes the computation throw `Cancelled_error` at once. Called after `progress()`.
   bool go_further() { return true; }
 };
 

@@ -22,8 +22,9 @@ namespace CSCD {
 ///
 /// Every connected component of the voxels gets a connected skeleton; the first Betti number of the skeleton is the
 /// number of handles of the voxels. Nodes have coordinates and radii in the unit of the volume, and hold the vertices
-/// of `surface` that belong to them, by their numbers. See `extract_curve_skeleton()` of a mesh for the rest, including
-/// the named parameters except `vertex_point_map`.
+/// of `surface` that belong to them, by their numbers. See `extract_curve_skeleton()` of a mesh for the rest. The
+/// named parameters are `random_seed`, `maximum_number_of_sources`, `number_of_threads`, `detail`, `node_spacing`,
+/// `policies` and `visitor`.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam Skeleton a model of `CurveSkeletonGraph`: `Skeleton_graph<Point, std::size_t>`
 /// \param surface made by `make_voxel_surfaces()` or `read_voxel_surfaces()`

@@ -40,9 +40,8 @@ void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::
 
 /// reads the points that the file `filename` holds, and their normals, if there are any for all points. Its ending, in
 /// lower or upper case, names the format:
-/// - `.xyz`, `.pwn`, `.pts`, `.txt`, `.csv`, `.asc`: a line for each point, coordinates and perhaps a normal, or a
-/// table
-///   with commas or names of columns;
+/// - `.xyz`, `.pwn`, `.pts`, `.txt`, `.csv`, `.asc`: a point a line, with or without a normal; or a table with commas
+///   or names of columns;
 /// - `.off`, `.ply`, `.vtp`, `.vtk`: as meshes, without their faces;
 /// - `.pcd` of the Point Cloud Library, and `.las`, both not compressed.
 ///

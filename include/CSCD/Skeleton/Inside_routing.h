@@ -85,9 +85,9 @@ public:
   }
 
 private:
-  /// How many faces may be passed and lines be traced for all ways, relative to the number of faces.
+  /// Faces passed and lines traced, over all ways, for each face of the surface.
   static constexpr std::size_t max_work = 8;
-  /// So much more takes about a second, even where each line meets thousands of faces.
+  /// Further faces and lines on any surface: about a second where each line meets thousands of faces.
   static constexpr std::size_t free_work = 1 << 12;
   /// A way of more nodes would not be a good skeleton.
   static constexpr std::size_t max_number_of_nodes = 64;

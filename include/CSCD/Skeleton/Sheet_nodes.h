@@ -71,7 +71,7 @@ inline std::optional<Vector3> middle_of_open_curve(const Triangulated_solid& sol
   return std::min(longest[1], longest[2]) < 0 ? std::nullopt : std::optional<Vector3>((middle[1] + middle[2]) / 2);
 }
 
-/// The middle between the sides of a sheet behind the surface that is nearest to `point`.
+/// The middle between the sides of a sheet, behind the surface nearest to `point`.
 /// \param radius half of the width of the sheet there: a middle farther away is that of another body
 template <class Surface>
 std::optional<Vector3> middle_of_sheet(const Surface& surface, const Vector3& point, double radius)
@@ -135,7 +135,7 @@ inline void place_on_sheet(const Triangulated_solid& solid, const Separator& sep
   }
 }
 
-/// Marks all nodes next to nodes of sheets, too, and moves them to the middle between the sides.
+/// Marks all nodes next to nodes of sheets, too, and moves nodes outside to the middle between the sides.
 inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
 {
   const auto is_on_sheet = [&graph](Index node) { return graph[node].is_on_sheet; };

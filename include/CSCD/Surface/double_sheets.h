@@ -53,7 +53,7 @@ public:
     collect_borders();
   }
 
-  /// Takes all borders for wide and all components that have one for sheets.
+  /// Treats all borders as wide, and all components with a border as sheets.
   void take_all()
   {
     for (const Border_cycle& border : m_borders) {

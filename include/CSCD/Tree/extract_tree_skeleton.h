@@ -35,8 +35,8 @@ namespace internal {
 Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::optional<Vector3>& root,
                               Skeleton& skeleton);
 
-/// Some 50,000 of `points`, or all if they are fewer: those whose coordinates have a certain remainder, so that the
-/// choice does not depend on their order. Linear.
+/// 50,000 to 100,000 of `points`, or all if they are fewer: those whose coordinates have a certain remainder, so that
+/// the choice does not depend on their order. Linear.
 inline std::vector<Vector3> sample_of(const std::vector<Vector3>& points)
 {
   constexpr std::size_t size = 50000;
@@ -63,9 +63,9 @@ inline std::vector<Vector3> sample_of(const std::vector<Vector3>& points)
 } // namespace internal
 
 /// returns whether dense points are a scan of trees, or of other branching thin things, by the form of their
-/// neighborhoods: in more than 8 % of them the points lie along curves, not on a surface. Fewer than 20,000 points show
-/// too little of their form: the answer is no. Linear, and fast: a sample of 50,000 points is examined. Does not depend
-/// on the order of the points.
+/// neighborhoods: in 8 to 60 % of them the points lie along curves, not on a surface. Fewer than 20,000 points show
+/// too little of their form: the answer is no. Linear, and fast: a sample of at most 100,000 points is examined. Does
+/// not depend on the order of the points.
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
 /// \param points at least one point
 /// \param np an optional sequence of named parameters
