@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every vertex of the mesh belongs to one node of the skeleton, and nodes form branches: colors the mesh by branch and
-// writes it as branches.ply. Junctions do not belong to a branch and stay gray.
+// writes it as branches.ply. Vertices of junctions, where branches meet, stay gray.
 
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/split_into_branches.h>
