@@ -250,22 +250,22 @@ private:
   /// ... and of their area this part has to be: a body moved inwards along its normals comes out of thin limbs.
   static constexpr double min_area_within = 0.8;
 
-  /// The components that are, or are not, candidates, as a surface of their own.
-  Triangulated_surface surface_of(bool are_candidates) const
+  /// The components that are not candidates, as a surface of their own.
+  Triangulated_surface bodies() const
   {
     Indexed_triangles part = m_triangles;
-    remove_components(part, m_components, [&](Index c) { return (m_is_cavity[c] != 0) != are_candidates; });
+    remove_components(part, m_components, [this](Index c) { return m_is_cavity[c] != 0; });
     return Triangulated_surface(std::move(part));
   }
 
   void keep_within_bodies()
   {
-    const Triangulated_surface bodies = surface_of(false);
-    if (bodies.number_of_faces() == 0) {
+    const Triangulated_surface surface = bodies();
+    if (surface.number_of_faces() == 0) {
       std::fill(m_is_cavity.begin(), m_is_cavity.end(), 0);
       return;
     }
-    const Solid_queries queries(bodies);
+    const Solid_queries queries(surface);
     std::vector<std::size_t> number_of_visits(m_components.number(), 0);
     std::vector<double> excess(m_components.number(), 0); // outside of bodies, less the allowance
     for (std::size_t face = 0; face < m_triangles.faces.size(); ++face) {
