@@ -20,12 +20,6 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         """Says nothing."""
 
 
-def check(is_right, text):
-    print("ok" if is_right else "failed", text, flush=True)
-    if not is_right:
-        sys.exit(1)
-
-
 def main():
     folder = pathlib.Path(sys.argv[1])
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
@@ -35,16 +29,16 @@ def main():
         browser.call("Page.navigate", url=url)
         browser.wait_for("Boolean(window.skeleton)", 120)
         text = browser.evaluate("document.getElementById('status').textContent")
-        check(text.endswith(" nodes, 1 cycle"), f"three.js: {text}")
+        assert text.endswith(" nodes, 1 cycle"), f"three.js: {text}"
         browser.wait_for("Boolean(document.querySelector('canvas'))")
-        check(browser.evaluate("skeleton.nodes instanceof Float64Array"), "typed arrays")
+        assert browser.evaluate("skeleton.nodes instanceof Float64Array"), "typed arrays"
         refused = browser.evaluate("import('cscd').then(m => m.skeletonize([], null, {detail: 2})).catch(e => e.message)")
-        check(refused == "detail: must be a number from 0 to 1, not 2", f"refused: {refused}")
+        assert refused == "detail: must be a number from 0 to 1, not 2", f"refused: {refused}"
         aborted = browser.evaluate("""import('cscd').then(m => {
             const control = new AbortController();
             return m.skeletonize(skeleton.nodes, null, {signal: control.signal, onProgress: () => control.abort()});
         }).catch(e => e.name)""")
-        check(aborted == "AbortError", f"aborted: {aborted}")
+        assert aborted == "AbortError", f"aborted: {aborted}"
         picture = base64.b64decode(browser.call("Page.captureScreenshot")["data"])
         (folder / "three.png").write_bytes(picture)
 

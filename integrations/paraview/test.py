@@ -6,21 +6,15 @@ import importlib.util
 import sys
 
 
-def check(is_right, text):
-    print("ok" if is_right else "failed", text, flush=True)
-    if not is_right:
-        sys.exit(1)
-
-
 def check_torus(skeleton):
     count = skeleton.GetNumberOfPoints()
     data = skeleton.GetPointData()
     radius, branch, node = (data.GetArray(name) for name in ("radius", "branch", "node"))
-    check(count > 10 and skeleton.GetNumberOfLines() == 1, f"a torus has one closed branch, of {count} nodes")
+    assert count > 10 and skeleton.GetNumberOfLines() == 1, f"a torus has one closed branch, of {count} nodes"
     ids = skeleton.GetCell(0).GetPointIds()
-    check(ids.GetId(0) == ids.GetId(ids.GetNumberOfIds() - 1), "it is closed")
-    check(all(abs(radius.GetTuple1(i) - 1) < 0.1 for i in range(count)), "radius")
-    check(all(branch.GetTuple1(i) == 0 and node.GetTuple1(i) == i for i in range(count)), "branch and node")
+    assert ids.GetId(0) == ids.GetId(ids.GetNumberOfIds() - 1), "it is closed"
+    assert all(abs(radius.GetTuple1(i) - 1) < 0.1 for i in range(count)), "radius"
+    assert all(branch.GetTuple1(i) == 0 and node.GetTuple1(i) == i for i in range(count)), "branch and node"
 
 
 def test_vtk(plugin):
