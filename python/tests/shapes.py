@@ -24,40 +24,20 @@ def torus(around=60, across=24):
     return V, np.concatenate([F[:, [0, 1, 2]], F[:, [0, 2, 3]]])
 
 
-def cross(length=4.0):
-    """Two bars of the width 1 along x and y, each of twice this length; their skeleton has four tips."""
-    half = 0.5
-    step = 1.0 / 6
-    reach = int(round(length / step))
-    inner = int(round(half / step))
-
-    def is_solid(i, j):
-        return -reach <= i < reach and -reach <= j < reach and (-inner <= i < inner or -inner <= j < inner)
-
-    numbers = {}
+def cross():
+    """Two bars of the width 1 along x and y, each of the length 8; their skeleton has four tips."""
+    width, length = 6, 48  # voxels
+    bar = np.zeros((length + 2, length + 2, width + 2), dtype=bool)  # empty at its borders
+    bar[1:-1, (length - width) // 2 + 1 : (length + width) // 2 + 1, 1:-1] = True
+    solid = bar | bar.swapaxes(0, 1)
     quads = []
-
-    def vertex(i, j, k):
-        return numbers.setdefault((i, j, k), len(numbers))
-
-    def quad(*corners):
-        quads.append([vertex(*corner) for corner in corners])
-
-    for i in range(-reach, reach):
-        for j in range(-reach, reach):
-            if not is_solid(i, j):
-                continue
-            quad((i, j, inner), (i + 1, j, inner), (i + 1, j + 1, inner), (i, j + 1, inner))
-            quad((i, j, -inner), (i, j + 1, -inner), (i + 1, j + 1, -inner), (i + 1, j, -inner))
-            for k in range(-inner, inner):
-                if not is_solid(i + 1, j):
-                    quad((i + 1, j, k), (i + 1, j + 1, k), (i + 1, j + 1, k + 1), (i + 1, j, k + 1))
-                if not is_solid(i - 1, j):
-                    quad((i, j, k), (i, j, k + 1), (i, j + 1, k + 1), (i, j + 1, k))
-                if not is_solid(i, j + 1):
-                    quad((i, j + 1, k), (i, j + 1, k + 1), (i + 1, j + 1, k + 1), (i + 1, j + 1, k))
-                if not is_solid(i, j - 1):
-                    quad((i, j, k), (i + 1, j, k), (i + 1, j, k + 1), (i, j, k + 1))
-    V = step * np.array(list(numbers), dtype=float)
-    F = np.array(quads)
+    for axis, (u, v) in enumerate(((1, 2), (2, 0), (0, 1))):
+        step, side_u, side_v = np.eye(3, dtype=int)[[axis, u, v]]
+        around = np.array([0 * step, side_u, side_u + side_v, side_v])  # counterclockwise seen from the end of the axis
+        above = np.argwhere(solid & ~np.roll(solid, -1, axis)) + step
+        below = np.argwhere(solid & ~np.roll(solid, 1, axis))
+        quads += [above[:, None] + around, below[:, None] + around[::-1]]
+    corners, F = np.unique(np.concatenate(quads).reshape(-1, 3), axis=0, return_inverse=True)
+    V = (corners - corners.mean(axis=0)) / width
+    F = F.reshape(-1, 4)
     return V, np.concatenate([F[:, [0, 1, 2]], F[:, [0, 2, 3]]])

@@ -62,10 +62,7 @@ def test_a_torus_is_as_thick_as_its_tube_and_has_two_loops(ring):
 def test_applications_refuse_what_has_no_rows(ring):
     V, F = shapes.torus()
     for skeleton in (cscd.skeletonize(V), cscd.skeletonize(V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3))):
-        for call in (
-            skeleton.shape_diameters,
-            skeleton.segment,
-        ):
+        for call in (skeleton.shape_diameters, skeleton.segment):
             with pytest.raises(ValueError, match="repaired"):
                 call()
     with pytest.raises(ValueError, match="min_depth"):
@@ -92,12 +89,6 @@ def test_arrays_are_no_copies_and_keep_the_skeleton_alive():
     gc.collect()
     churn = [np.full_like(expected, np.nan) for _ in range(100)]
     assert len(churn) == 100 and np.array_equal(nodes, expected)
-
-
-def test_quads_are_cut_into_triangles(ring):
-    skeleton = cscd.skeletonize(*shapes.torus_of_quads())
-    assert skeleton.repairs == ["1440 polygons triangulated"]
-    assert len(skeleton.nodes) == len(skeleton.edges)
 
 
 def test_integers_lists_and_columns_are_taken(ring):
@@ -170,19 +161,6 @@ def test_a_strip_has_its_middle_as_skeleton():
     assert len(bridged.nodes) != len(skeleton.nodes)
 
 
-def test_parts_that_cut_each_other_are_wrapped():
-    V, F = shapes.torus(60, 24)
-    parts = np.concatenate([V, V[:, [1, 2, 0]]])
-    faces = np.concatenate([F, F + len(V)])
-    assert cscd.skeletonize(parts, faces).report["number_of_skeleton_components"] == 2
-    wrapped = cscd.skeletonize(parts, faces, wrap=0.03)
-    assert wrapped.report["number_of_skeleton_components"] == 1
-    assert len(wrapped.vertex_to_node) == len(parts)
-    assert (wrapped.vertex_to_node >= 0).all()
-    with pytest.raises(ValueError, match="wrap"):
-        cscd.skeletonize(parts, faces, wrap=2)
-
-
 def test_points_get_the_skeleton_of_their_surface():
     V, _ = shapes.torus(120, 48)
     skeleton = cscd.skeletonize(V)
@@ -202,12 +180,6 @@ def test_a_tree_has_a_root():
     skeleton = cscd.skeletonize(V, shape="tree", root=(0, 0, 10))
     assert skeleton.report["method"] == "tree"
     assert skeleton.nodes[0, 2] > 5, "the trunk begins at the root"
-
-
-def test_the_number_of_threads_does_not_matter(crossing):
-    for threads in (1, 2):
-        other = cscd.skeletonize(*shapes.cross(), threads=threads)
-        assert np.array_equal(other.nodes, crossing.nodes) and np.array_equal(other.edges, crossing.edges)
 
 
 def test_python_goes_on_meanwhile():

@@ -4,9 +4,6 @@
 
 import json
 import os
-import pathlib
-import platform
-import re
 import subprocess
 
 import numpy as np
@@ -67,13 +64,3 @@ def test_messages_on_arguments_are_the_same(tmp_path):
     for old, new in (("--literal", "literal"), ("--method published", 'method="published"')):
         message = message.replace(old, new)
     assert str(refusal.value) == message
-
-
-@pytest.mark.skipif(platform.libc_ver() != ("glibc", "2.36"), reason="releases are made on Debian 12")
-def test_what_the_wheel_lacks_in_older_glibc_is_defined():
-    """In packaging/glibc_2_28.cpp, by the name of each function."""
-    command = ["objdump", "--dynamic-syms", cscd._core.__file__]
-    symbols = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    source = (pathlib.Path(__file__).parents[2] / "packaging" / "glibc_2_28.cpp").read_text()
-    newer = set(re.findall(r"\(GLIBC_2\.(?:29|[3-9]\d)\) +(\w+)", symbols))
-    assert newer and [name for name in sorted(newer) if not re.search(rf"\b{name}\b", source)] == []
