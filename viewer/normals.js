@@ -26,17 +26,6 @@ function normals_of_faces(positions, triangles) {
   return normals;
 }
 
-// For each vertex its corners of triangles, in one array; `first` has the place of its first one.
-function corners_of_vertices(triangles, number_of_vertices) {
-  const first = new Uint32Array(number_of_vertices + 1);
-  const corners = new Uint32Array(triangles.length);
-  for (const v of triangles) ++first[v + 1];
-  for (let v = 0; v < number_of_vertices; ++v) first[v + 1] += first[v];
-  const next = first.slice(0, number_of_vertices);
-  triangles.forEach((v, corner) => (corners[next[v]++] = corner));
-  return { first, corners };
-}
-
 // The direction of the sum; zero if the sum is zero.
 function mean_direction(vectors) {
   const sum = [0, 0, 0];
@@ -50,23 +39,21 @@ function mean_direction(vectors) {
 export function smooth_unless_sharp(positions, triangles) {
   const face_normals = normals_of_faces(positions, triangles);
   const number_of_vertices = positions.length / 3;
-  const { first, corners } = corners_of_vertices(triangles, number_of_vertices);
+  const corners_of_vertices = Array.from({ length: number_of_vertices }, () => []);
+  triangles.forEach((v, corner) => corners_of_vertices[v].push(corner));
   const index = triangles.slice();
   const source = Array.from({ length: number_of_vertices }, (_, v) => v);
   const normals = Array(positions.length).fill(0);
   for (let v = 0; v < number_of_vertices; ++v) {
-    const faces = [];
-    for (let k = first[v]; k < first[v + 1]; ++k) {
-      const t = corners[k] - (corners[k] % 3);
-      faces.push([face_normals[t], face_normals[t + 1], face_normals[t + 2]]);
-    }
+    const corners = corners_of_vertices[v];
+    const faces = corners.map((corner) => face_normals.subarray(corner - (corner % 3), corner - (corner % 3) + 3));
     const lengths = faces.map(norm);
     const normal = mean_direction(faces);
     for (let k = 0; k < 3; ++k) normals[3 * v + k] = normal[k];
     if (faces.every((face, i) => dot(face, normal) >= Math.cos(crease_angle / 2) * lengths[i])) continue;
     faces.forEach((face, i) => {
       const near = faces.filter((other, j) => dot(face, other) >= Math.cos(crease_angle) * lengths[i] * lengths[j]);
-      index[corners[first[v] + i]] = source.length;
+      index[corners[i]] = source.length;
       source.push(v);
       normals.push(...mean_direction(near));
     });
