@@ -4,14 +4,13 @@
 #
 # Makes the pictures of doc/cut_locus.md: cut loci on meshes of CGAL's data, and on their vertices without faces, the
 # source black, its cut locus red; all seen from both sides.
-# Usage: doc/make_cut_locus_pictures.sh PROGRAMS [FOLDER]: the folder of the built cut_locus_example and
-# point_cut_locus_example, and where pictures go, by default doc/fig. Needs three.js when the former is built, Chromium,
-# and Debian's libcgal-demo.
+# Usage: doc/make_cut_locus_pictures.sh PROGRAMS [FOLDER]: the folder of the built cut_locus_example, and where pictures
+# go, by default doc/fig. Needs three.js when the example is built, Chromium, and Debian's libcgal-demo.
 
 set -eu
 
 if [ $# -lt 1 ] || [ $# -gt 2 ]; then
-  echo "usage: $0 PROGRAMS [FOLDER] (the folder of the built examples of cut loci; where pictures go)" >&2
+  echo "usage: $0 PROGRAMS [FOLDER] (the folder of the built cut_locus_example; where pictures go)" >&2
   exit 1
 fi
 programs=$(cd "$1" && pwd)
@@ -91,7 +90,7 @@ draw() {
         old_across = across
         old_down = down
       }
-    }' "$work/points.xyz" "$work/points.xyz" "$work/point_cut_locus.polylines.txt" | sort -n | cut -d ' ' -f 2- |
+    }' "$work/points.xyz" "$work/points.xyz" "$work/cut_locus.polylines.txt" | sort -n | cut -d ' ' -f 2- |
     { echo '<svg xmlns="http://www.w3.org/2000/svg" width="560" height="560">'; cat; echo '</svg>'; }
 }
 
@@ -112,7 +111,7 @@ show_mesh() {
 show_points() {
   awk 'NR == 2 { n = $1 } NR > 2 && NF >= 3 && n-- > 0 { print $1, $2, $3 }' "$work/data/meshes/$2.off" \
     >"$work/points.xyz"
-  (cd "$work" && "$programs/point_cut_locus_example" points.xyz "$3" >/dev/null)
+  (cd "$work" && "$programs/cut_locus_example" points.xyz "$3" >/dev/null)
   take_drawing "point_cut_locus_$1" "$3" "$4"
   take_drawing "point_cut_locus_$1_behind" "$3" $(($4 + 180))
 }

@@ -42,7 +42,7 @@ declare -A targets=(
   [vessels]=cscd
   [applications]="cscd measure_applications"
   [quality]=cscd
-  [pictures]="cscd mcf_skeleton cut_locus_example point_cut_locus_example"
+  [pictures]="cscd mcf_skeleton cut_locus_example"
 )
 name=${1:-}
 if [[ -z ${targets[$name]+is_set} ]]; then
