@@ -59,15 +59,6 @@ namespace {
 
 using CSCD::internal::counted;
 
-Json input_part(const CSCD::Skeletonization_report& r)
-{
-  return {{"number_of_sites", r.number_of_input_vertices},
-          CSCD_JSON_PAIRS(r, number_of_isolated_vertices, number_of_surface_components, number_of_bridged_borders,
-                          number_of_cavities, number_of_sheets, number_of_wide_borders, number_of_inserted_vertices,
-                          number_of_degenerate_faces, number_of_levels),
-          {"genus", r.genus ? Json(*r.genus) : Json()}};
-}
-
 /// Numbers by the outcomes that they count.
 template <std::size_t size, class Numbers>
 Json by_outcome(const std::array<const char*, size>& names, const Numbers& numbers)
@@ -89,21 +80,21 @@ Json rejections(const CSCD::Skeletonization_report& r)
   return result;
 }
 
-Json separators_part(const CSCD::Skeletonization_report& r)
+Json counts_of(const CSCD::Skeletonization_report& r)
 {
-  return {CSCD_JSON_PAIRS(r, number_of_sources, number_of_sources_without_cut),
+  return {{"number_of_sites", r.number_of_input_vertices},
+          CSCD_JSON_PAIRS(r, number_of_isolated_vertices, number_of_surface_components, number_of_bridged_borders,
+                          number_of_cavities, number_of_sheets, number_of_wide_borders, number_of_inserted_vertices,
+                          number_of_degenerate_faces, number_of_levels),
+          {"genus", r.genus ? Json(*r.genus) : Json()},
+          CSCD_JSON_PAIRS(r, number_of_sources, number_of_sources_without_cut),
           {"number_of_rejections", rejections(r)},
           CSCD_JSON_PAIRS(r, number_of_collapsed_loops, number_of_held_loops, number_of_unfinished_loops,
                           number_of_bumps, number_of_tunnels, number_of_separators, number_of_plane_sections,
                           number_of_straightened_loops, number_of_packed_separators, number_of_open_separators,
-                          number_of_handle_cuts)};
-}
-
-Json skeleton_part(const CSCD::Skeletonization_report& r)
-{
-  return {CSCD_JSON_PAIRS(r, number_of_nodes, number_of_edges, number_of_skeleton_components, betti_number,
-                          number_of_tips, number_of_junctions, number_of_openings, number_of_nodes_outside,
-                          number_of_edges_outside)};
+                          number_of_handle_cuts, number_of_nodes, number_of_edges, number_of_skeleton_components,
+                          betti_number, number_of_tips, number_of_junctions, number_of_openings,
+                          number_of_nodes_outside, number_of_edges_outside)};
 }
 
 Json reconstruction_part(const CSCD::Reconstruction_report& r)
@@ -116,14 +107,7 @@ Json reconstruction_part(const CSCD::Reconstruction_report& r)
           CSCD_JSON_PAIRS(r, joined_gaps, cut_handles)};
 }
 
-using Stage_seconds = std::array<double, CSCD::number_of_skeletonization_stages>;
-
-double sum(const Stage_seconds& seconds)
-{
-  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
-}
-
-Json by_stage(const Stage_seconds& seconds)
+Json by_stage(const std::array<double, CSCD::number_of_skeletonization_stages>& seconds)
 {
   Json result;
   for (std::size_t i = 0; i < seconds.size(); ++i) {
@@ -218,9 +202,7 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   } else {
     document["literal"] = options.is_literal;
   }
-  for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
-    document.update(part);
-  }
+  document.update(counts_of(report));
   if (result.volume) {
     document["volume"] = {{"label", result.volume->label},
                           {"connectivity", options.volume.connectivity},
@@ -283,11 +265,12 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   if (report.genus) {
     out << ", genus " << *report.genus;
   }
+  const double seconds = std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0);
   const CSCD::Skeleton_counts counts{
       report.number_of_nodes, report.number_of_edges, report.number_of_skeleton_components,
       report.betti_number,    report.number_of_tips,  report.number_of_junctions};
-  out << "\nskeleton: " << in_words(counts) << "\ntime: " << std::fixed << std::setprecision(digits)
-      << sum(report.seconds) << " s on " << counted(report.number_of_threads, "thread") << '\n';
+  out << "\nskeleton: " << in_words(counts) << "\ntime: " << std::fixed << std::setprecision(digits) << seconds
+      << " s on " << counted(report.number_of_threads, "thread") << '\n';
 }
 
 std::string in_words(const CSCD::Skeleton_counts& counts)
