@@ -3,7 +3,6 @@
 //
 // The commands `cscd segment`, `cscd diameter` and `cscd loops`: from arguments to files.
 
-#include "commands.h"
 #include "types.h"
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
@@ -180,7 +179,7 @@ void write_loops(const Loops_options& options)
   if (is_page(options.output)) {
     check_viewer_source();
   } else {
-    check_skeleton_outputs({options.output}, options.input, " .html");
+    check_skeleton_argument(options.output, " .html");
   }
   Input input = read_mesh(options.input, options.format, options.is_quiet);
   const Loops loops = find_loops(options, input);

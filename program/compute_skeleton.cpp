@@ -4,7 +4,6 @@
 // The computation of the skeleton by the local method: of meshes, of points on the surface made of them, and of scans
 // of trees.
 
-#include "Progress_bar.h"
 #include "other_methods.h"
 #include "run_skeletonization.h"
 #include "types.h"

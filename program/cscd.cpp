@@ -3,7 +3,6 @@
 //
 // The program cscd: skeletons of meshes and point sets from the command line, and their quality.
 
-#include "commands.h"
 #include "memory.h"
 #include "options.h"
 #include "other_methods.h"
@@ -53,48 +52,43 @@ struct Command
   std::function<void()> run;
 };
 
-/// The options of all commands.
-struct All_options
+/// The command that `run` does with the options of its table.
+template <class Options>
+Command make_command(const char* name, const char* description, const char* examples, void (*run)(const Options&))
 {
-  cscd::Skeletonize_options skeletonize;
-  cscd::Evaluate_options evaluate;
-  cscd::Compare_options compare;
-  cscd::Simplify_options simplify;
-  cscd::Segment_options segment;
-  cscd::Application_options diameter;
-  cscd::Loops_options loops;
-};
+  const auto options = std::make_shared<Options>();
+  return {name, description, examples, cscd::options_of(*options), [options, run] { run(*options); }};
+}
 
-std::vector<Command> make_commands(All_options& all)
+std::vector<Command> make_commands()
 {
-  using cscd::options_of;
-  return {{"skeletonize", "compute the curve skeleton of a mesh, of points, of a volume or of a graph",
-           R"(  cscd bunny.off -o bunny.graph -o bunny.html          the skeleton as a graph, and a page to look at it
+  return {
+      make_command(
+          "skeletonize", "compute the curve skeleton of a mesh, of points, of a volume or of a graph",
+          R"(  cscd bunny.off -o bunny.graph -o bunny.html          the skeleton as a graph, and a page to look at it
   cscd skeletonize bunny.off -o bunny.glb --root lowest     a rig: the mesh with joints and weights
   cscd oak.xyz --shape tree -o oak.swc --report oak.json    a scan of a tree
   cscd vessels.nii.gz --threshold 150 -o vessels.swc -o nodes.nrrd
   cscd soup.obj --as graph -o soup.graph                    no surface: the edges as a graph
   cat bunny.ply | cscd - --format ply -o - > bunny.graph
 )",
-           options_of(all.skeletonize), [&all] { cscd::skeletonize(all.skeletonize); }},
-          {"evaluate", "measure how good a skeleton is for its mesh or points",
-           "  cscd evaluate bunny.off bunny.graph            a skeleton made by any program\n",
-           options_of(all.evaluate), [&all] { cscd::evaluate(all.evaluate); }},
-          {"compare", "measure how alike two skeletons are", "  cscd compare bunny.graph other.swc\n",
-           options_of(all.compare), [&all] { cscd::compare(all.compare); }},
-          {"simplify", "prune, join or resample parts of a skeleton",
-           R"(  cscd simplify bunny.json -o less.json --min-significance 1     without limbs that hardly stand out
+          cscd::skeletonize),
+      make_command("evaluate", "measure how good a skeleton is for its mesh or points",
+                   "  cscd evaluate bunny.off bunny.graph            a skeleton made by any program\n", cscd::evaluate),
+      make_command("compare", "measure how alike two skeletons are", "  cscd compare bunny.graph other.swc\n",
+                   cscd::compare),
+      make_command(
+          "simplify", "prune, join or resample parts of a skeleton",
+          R"(  cscd simplify bunny.json -o less.json --min-significance 1     without limbs that hardly stand out
   cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing 0.5r
 )",
-           options_of(all.simplify), [&all] { cscd::simplify(all.simplify); }},
-          {"segment", "segment a mesh into the parts that people would see",
-           "  cscd segment bunny.off -o bunny.seg --parts 5\n", options_of(all.segment),
-           [&all] { cscd::segment(all.segment); }},
-          {"diameter", "estimate how thick the body of a mesh is at each vertex",
-           "  cscd diameter bunny.off -o bunny.txt\n", options_of(all.diameter),
-           [&all] { cscd::write_diameters(all.diameter); }},
-          {"loops", "find closed geodesics around handles, tunnels and constrictions of the body of a mesh",
-           "  cscd loops bunny.off -o loops.json\n", options_of(all.loops), [&all] { cscd::write_loops(all.loops); }}};
+          cscd::simplify),
+      make_command("segment", "segment a mesh into the parts that people would see",
+                   "  cscd segment bunny.off -o bunny.seg --parts 5\n", cscd::segment),
+      make_command("diameter", "estimate how thick the body of a mesh is at each vertex",
+                   "  cscd diameter bunny.off -o bunny.txt\n", cscd::write_diameters),
+      make_command("loops", "find closed geodesics around handles, tunnels and constrictions of the body of a mesh",
+                   "  cscd loops bunny.off -o loops.json\n", cscd::write_loops)};
 }
 
 constexpr const char* explanations =
@@ -134,13 +128,6 @@ private:
 /// Behind the version of a program that has no more than the local method.
 constexpr const char* local_method_only = " without the published method, graphs and wraps";
 
-/// The value that the help shows as the default.
-std::string default_text(const cscd::Option& option)
-{
-  const std::string text = cscd::text_of(option);
-  return text == "0" ? "" : text;
-}
-
 /// Sets the value of `option`. An r behind a spacing means radii: `rows` may have an option of its own for such
 /// lengths.
 void assign(const cscd::Option& option, const std::vector<cscd::Option>& rows, const std::string& text)
@@ -173,8 +160,9 @@ void add_option(CLI::App& command, const cscd::Option& option, const std::vector
   const bool is_left_out = option.needs_all_methods && !cscd::has_all_methods;
   const std::string help =
       is_left_out ? "left out of this build; configure it with -DCSCD_WITH_ALL_METHODS=ON" : option.help;
+  const std::string value = cscd::text_of(option);
   CLI::Option* added = command.add_option(name, set, help);
-  added->type_name(option.argument)->default_str(default_text(option))->required(option.is_required);
+  added->type_name(option.argument)->default_str(value == "0" ? "" : value)->required(option.is_required);
   if (!is_positional) {
     added->group(option.group);
   }
@@ -244,8 +232,7 @@ std::vector<const char*> with_command(int argc, char** argv, const std::vector<C
 
 int run(int argc, char** argv)
 {
-  All_options options;
-  const std::vector<Command> commands = make_commands(options);
+  const std::vector<Command> commands = make_commands();
   CLI::App app("Curve skeletons of 3D shapes.", "cscd");
   app.set_version_flag("--version",
                        std::string("cscd ") + CSCD_VERSION + (cscd::has_all_methods ? "" : local_method_only));

@@ -3,7 +3,6 @@
 //
 // The commands `cscd evaluate` and `cscd compare`: from arguments to measures, as JSON and as text.
 
-#include "commands.h"
 #include "types.h"
 #include "write_report.h"
 #include <CSCD/IO/read_skeleton.h>
@@ -144,24 +143,6 @@ void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_di
       << fixed(thousand * distance.maximum) << std::setw(width) << percent(distance.fraction_matched, 1) << " %\n";
 }
 
-} // namespace
-
-void write_measures_as_json(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
-{
-  const bool is_point_set = measures.position.number_of_surface_components == 0;
-  const Json document{{"version", CSCD_VERSION},
-                      CSCD_JSON_PAIRS(options, input, skeleton, radii),
-                      CSCD_JSON_PAIRS(measures, number_of_points, diagonal),
-                      {"has_topology_of_surface", measures.has_topology_of_surface()},
-                      CSCD_JSON_PAIRS(measures, counts, position),
-                      CSCD_JSON_PAIRS(measures.limbs, tip_recall, tip_precision),
-                      {"limbs", is_point_set ? Json() : Json(measures.limbs)},
-                      CSCD_JSON_PAIRS(measures, convolution, round_cones, mean_distance_from_round_cones)};
-  out << dump_json(document) << '\n';
-}
-
-namespace {
-
 void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
 {
   const CSCD::Position_measures& p = measures.position;
@@ -211,6 +192,20 @@ void write_comparison(std::ostream& out, const Compare_options& options, const C
 }
 
 } // namespace
+
+void write_measures_as_json(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
+{
+  const bool is_point_set = measures.position.number_of_surface_components == 0;
+  const Json document{{"version", CSCD_VERSION},
+                      CSCD_JSON_PAIRS(options, input, skeleton, radii),
+                      CSCD_JSON_PAIRS(measures, number_of_points, diagonal),
+                      {"has_topology_of_surface", measures.has_topology_of_surface()},
+                      CSCD_JSON_PAIRS(measures, counts, position),
+                      CSCD_JSON_PAIRS(measures.limbs, tip_recall, tip_precision),
+                      {"limbs", is_point_set ? Json() : Json(measures.limbs)},
+                      CSCD_JSON_PAIRS(measures, convolution, round_cones, mean_distance_from_round_cones)};
+  out << dump_json(document) << '\n';
+}
 
 Skeleton read_skeleton_argument(const std::string& filename)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The options of the commands: one table each. Command line, help, checks, report and the arguments of the Python
+// The commands and their options: one table each. Command line, help, checks, report and the arguments of the Python
 // module are made of them.
 
 #ifndef CSCD_PROGRAM_OPTIONS_H
@@ -217,6 +217,32 @@ std::vector<Option> options_of(Application_options& options,
                                const std::string& output = "one value a line, in the order of the vertices");
 std::vector<Option> options_of(Segment_options& options);
 std::vector<Option> options_of(Loops_options& options);
+/// @}
+
+/// \name Commands
+/// \throw Usage_error if the options cannot be obeyed, `CSCD::File_error`, `CSCD::Input_error`
+/// @{
+
+/// Reads a mesh, points, a volume or a graph, skeletonizes it and writes the results.
+void skeletonize(const Skeletonize_options& options);
+
+/// Reads a mesh and a skeleton, measures the skeleton and writes the measures.
+void evaluate(const Evaluate_options& options);
+
+/// Reads two skeletons and writes a comparison.
+void compare(const Compare_options& options);
+
+/// Reads a skeleton, simplifies it and writes it.
+void simplify(const Simplify_options& options);
+
+/// Reads a mesh, segments it and writes the number of the part of each face, one a line.
+void segment(const Segment_options& options);
+
+/// Reads a mesh and writes the shape diameter at each of its vertices, one a line.
+void write_diameters(const Application_options& options);
+
+/// Reads a mesh and writes its handle loops, tunnel loops and constrictions, in the format of the output's ending.
+void write_loops(const Loops_options& options);
 /// @}
 
 /// The fault of the value `root` of `--root`; empty without a fault.

@@ -5,7 +5,6 @@
 
 #include "other_methods.h"
 
-#include "Progress_bar.h"
 #include "run_skeletonization.h"
 #include "types.h"
 #include <CSCD/Graph_policies.h>

@@ -65,12 +65,12 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
 {
   Input input;
   CSCD::Shape_file as_read = keeps_file ? soup : CSCD::Shape_file();
+  const bool has_other_columns = soup.number_of_polygons() == 0 && soup.has_other_columns;
   if (soup.number_of_polygons() == 0) {
     input.is_point_set = true;
     input.number_of_points = soup.points.size();
     input.points = std::move(soup.points);
     input.normals = std::move(soup.normals);
-    input.has_other_columns = soup.has_other_columns;
   } else {
     CSCD::internal::Manifold_triangles manifold =
         CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
@@ -82,7 +82,7 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
     }
-    if (input.has_other_columns) {
+    if (has_other_columns) {
       say(name, "three numbers behind the coordinates are not normals, but colors or the like: ignored");
     }
   }
@@ -126,13 +126,12 @@ void add_sides(const CSCD::Shape_file& soup, Skeleton& graph)
 
 } // namespace
 
-Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<Index, 2>> edges,
-                    unsigned int number_of_neighbors)
+Skeleton make_graph(const CSCD::Shape_file& soup, unsigned int number_of_neighbors)
 {
-  Skeleton graph;
-  graph.points = soup.points;
-  graph.radii = soup.radii;
-  graph.edges = std::move(edges);
+  Skeleton graph{soup.points, soup.radii};
+  for (const auto& [a, b] : soup.lines) {
+    graph.edges.push_back({Index(a), Index(b)});
+  }
   add_sides(soup, graph);
   if (graph.edges.empty()) {
     const Index number = number_of_neighbors > 0 ? number_of_neighbors : CSCD::default_number_of_neighbors;
@@ -158,14 +157,10 @@ Input read_graph(const Skeletonize_options& options)
 {
   const CSCD::Shape_file shape = read_file(options.input, options.format, CSCD::internal::any_content);
   const std::string filename = options.format.empty() ? options.input : "." + options.format;
-  std::vector<std::array<Index, 2>> edges;
-  for (const auto& [a, b] : shape.lines) {
-    edges.push_back({Index(a), Index(b)});
-  }
   // The nodes of a graph without edges are not joined to their neighbors.
-  return make_input(CSCD::internal::is_graph_filename(filename) && edges.empty()
+  return make_input(CSCD::internal::is_graph_filename(filename) && shape.lines.empty()
                         ? Skeleton{shape.points, shape.radii}
-                        : make_graph(shape, std::move(edges), options.number_of_neighbors));
+                        : make_graph(shape, options.number_of_neighbors));
 }
 
 } // namespace cscd

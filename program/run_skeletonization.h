@@ -6,10 +6,10 @@
 #ifndef CSCD_PROGRAM_RUN_SKELETONIZATION_H
 #define CSCD_PROGRAM_RUN_SKELETONIZATION_H
 
-#include "Progress_bar.h"
 #include "types.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Options.h>
+#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Vector3.h>
 
 #include <CGAL/property_map.h>
@@ -23,6 +23,31 @@ namespace cscd {
 
 using Numbers = std::vector<std::size_t>;
 using Point_map = CGAL::Pointer_property_map<Vector3>::const_type;
+
+/// Passes progress on to a function, if given.
+class Progress_visitor : public CSCD::Default_skeletonization_visitor
+{
+public:
+  /// \param progress is referred to
+  explicit Progress_visitor(const Stage_progress& progress) : m_progress(progress) {}
+
+  void on_stage_begin(CSCD::Skeletonization_stage stage)
+  {
+    m_stage = stage;
+    progress(0);
+  }
+
+  void progress(double fraction)
+  {
+    if (m_progress) {
+      m_progress(m_stage, fraction);
+    }
+  }
+
+private:
+  const Stage_progress& m_progress;
+  CSCD::Skeletonization_stage m_stage = CSCD::Skeletonization_stage::compile_surface;
+};
 
 /// The options of the engine that `options` choose.
 CSCD::Options engine_options(const Skeletonize_options& options);

@@ -3,7 +3,6 @@
 //
 // The command `cscd simplify`, and the treatment of fragments by `cscd skeletonize`.
 
-#include "commands.h"
 #include "types.h"
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
@@ -28,8 +27,9 @@ using CSCD::internal::counted;
 void check_options(const Simplify_options& options)
 {
   check_skeleton_argument(options.skeleton);
-  check_skeleton_outputs(options.outputs, options.skeleton);
   for (const std::string& output : options.outputs) {
+    check_skeleton_argument(output);
+    check_is_not_input(output, options.skeleton, "--output");
     check_is_not_input(output, options.mesh, "--output");
   }
   check_standard_output(std::count(options.outputs.begin(), options.outputs.end(), standard_stream));

@@ -3,8 +3,6 @@
 //
 // The command `cscd skeletonize`: from arguments to files.
 
-#include "Progress_bar.h"
-#include "commands.h"
 #include "options.h"
 #include "types.h"
 #include "write_html_page.h"
@@ -164,6 +162,92 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
   });
 }
 
+/// Writes a summary to standard output, unless a result goes there.
+void tell_results(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  if (number_of_results_on_standard_output(options) == 0) {
+    write_summary(std::cout, options, result);
+  }
+  const auto files = given_files(options);
+  const bool is_nothing_written =
+      options.outputs.empty() && !result.volume &&
+      std::all_of(files.begin(), files.end(), [](const auto& file) { return file.first == "--report"; });
+  if (is_nothing_written) {
+    say(options.input, "the skeleton is not written; name a file by --output");
+  }
+}
+
+unsigned kind_of(const Input& input)
+{
+  return input.graph ? graph_input : input.volume ? volume_input : input.is_point_set ? point_input : mesh_input;
+}
+
+/// Refuses options that do not apply to `input`.
+void check_options(const Input& input, const Skeletonize_options& options)
+{
+  check_applicability(options, kind_of(input));
+  if (!input.is_point_set && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: does not apply to meshes; leave it out");
+  }
+  if (options.method == published_method && options.shape == tree_shape) {
+    throw Usage_error("--method published: does not apply to scans of trees; leave it out");
+  }
+}
+
+/// Refuses options that do not apply to points after these were recognized as a surface or trees.
+void check_options(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
+    throw Usage_error((options.fragments.joins_components ? std::string("--join") : std::string("--min-component")) +
+                      ": does not apply to scans of trees; leave it out or use cscd simplify");
+  }
+  if (!options.cylinders.empty() && !result.tree) {
+    throw Usage_error("--cylinders: does not apply to surfaces; leave it out or add --shape tree");
+  }
+}
+
+/// Whether one of the results needs the mesh.
+bool needs_mesh(const Skeletonize_options& options)
+{
+  return !given_files(options).empty() ||
+         std::any_of(options.outputs.begin(), options.outputs.end(),
+                     [](const std::string& output) { return is_rig(output) || is_page(output); });
+}
+
+/// As `read_input()`; if a mesh cannot be repaired, the message names the remaining options.
+Input read_for_surface(const Skeletonize_options& options)
+{
+  try {
+    const bool keeps_file = !options.correspondence.empty();
+    Input input = read_input(options.input, options.format, options.is_quiet, keeps_file, options.number_of_threads);
+    input.is_kept = needs_mesh(options);
+    return input;
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
+  }
+}
+
+/// A line on the terminal that is written over, and removed by the destructor.
+class Progress_line
+{
+public:
+  Progress_line() = default;
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+  ~Progress_line() { show(""); }
+
+  void show(const std::string& text)
+  {
+    if (text != m_text) {
+      std::cerr << '\r' << std::string(m_text.size(), ' ') << '\r' << text << std::flush;
+      m_text = text;
+    }
+  }
+
+private:
+  std::string m_text;
+};
+
 } // namespace
 
 std::optional<Vector3> root_point(const std::string& root)
@@ -257,25 +341,6 @@ void write_results(CSCD::File_group& files, const Input& input, const Skeletoniz
            [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
 }
 
-namespace {
-
-/// Writes a summary to standard output, unless a result goes there.
-void tell_results(const Skeletonization_result& result, const Skeletonize_options& options)
-{
-  if (number_of_results_on_standard_output(options) == 0) {
-    write_summary(std::cout, options, result);
-  }
-  const auto files = given_files(options);
-  const bool is_nothing_written =
-      options.outputs.empty() && !result.volume &&
-      std::all_of(files.begin(), files.end(), [](const auto& file) { return file.first == "--report"; });
-  if (is_nothing_written) {
-    say(options.input, "the skeleton is not written; name a file by --output");
-  }
-}
-
-} // namespace
-
 void check_skeleton_argument(const std::string& filename, const std::string& other_endings)
 {
   if (filename != standard_stream) {
@@ -287,15 +352,6 @@ void check_skeleton_argument(const std::string& filename, const std::string& oth
   }
 }
 
-void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
-                            const std::string& other_endings)
-{
-  for (const std::string& output : outputs) {
-    check_skeleton_argument(output, other_endings);
-    check_is_not_input(output, input, "--output");
-  }
-}
-
 void check_is_not_input(const std::string& output, const std::string& input, const std::string& option)
 {
   std::error_code error;
@@ -304,39 +360,6 @@ void check_is_not_input(const std::string& output, const std::string& input, con
     throw Usage_error(option + " " + output + ": is the input, which would be lost; name another file");
   }
 }
-
-namespace {
-
-unsigned kind_of(const Input& input)
-{
-  return input.graph ? graph_input : input.volume ? volume_input : input.is_point_set ? point_input : mesh_input;
-}
-
-/// Refuses options that do not apply to `input`.
-void check_options(const Input& input, const Skeletonize_options& options)
-{
-  check_applicability(options, kind_of(input));
-  if (!input.is_point_set && options.shape == tree_shape) {
-    throw Usage_error("--shape tree: does not apply to meshes; leave it out");
-  }
-  if (options.method == published_method && options.shape == tree_shape) {
-    throw Usage_error("--method published: does not apply to scans of trees; leave it out");
-  }
-}
-
-/// Refuses options that do not apply to points after these were recognized as a surface or trees.
-void check_options(const Skeletonization_result& result, const Skeletonize_options& options)
-{
-  if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
-    throw Usage_error((options.fragments.joins_components ? std::string("--join") : std::string("--min-component")) +
-                      ": does not apply to scans of trees; leave it out or use cscd simplify");
-  }
-  if (!options.cylinders.empty() && !result.tree) {
-    throw Usage_error("--cylinders: does not apply to surfaces; leave it out or add --shape tree");
-  }
-}
-
-} // namespace
 
 Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options,
                                          const Stage_progress& progress)
@@ -376,40 +399,15 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
       result.tree ? name + ", treated as a scan of trees" : name);
 }
 
-namespace {
-
-/// Whether one of the results needs the mesh.
-bool needs_mesh(const Skeletonize_options& options)
-{
-  return !given_files(options).empty() ||
-         std::any_of(options.outputs.begin(), options.outputs.end(),
-                     [](const std::string& output) { return is_rig(output) || is_page(output); });
-}
-
-/// As `read_input()`; if a mesh cannot be repaired, the message names the remaining options.
-Input read_for_surface(const Skeletonize_options& options)
-{
-  try {
-    const bool keeps_file = !options.correspondence.empty();
-    Input input = read_input(options.input, options.format, options.is_quiet, keeps_file, options.number_of_threads);
-    input.is_kept = needs_mesh(options);
-    return input;
-  } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
-  }
-}
-
-} // namespace
-
 Skeletonization_result skeletonize_with_progress(Input& input, const Skeletonize_options& options)
 {
-  std::optional<Progress_bar> bar;
-  Stage_progress progress;
-  if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
-    bar.emplace(std::cerr);
-    progress = [&bar](CSCD::Skeletonization_stage stage, double fraction) { bar->show(stage, fraction); };
+  if (options.is_quiet || isatty(STDERR_FILENO) == 0) {
+    return skeletonize_input(input, options, nullptr);
   }
-  return skeletonize_input(input, options, progress);
+  Progress_line line;
+  return skeletonize_input(input, options, [&line](CSCD::Skeletonization_stage stage, double fraction) {
+    line.show(std::string(CSCD::name(stage)) + ": " + std::to_string(int(100 * fraction)) + " %");
+  });
 }
 
 void tell_and_write(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,

@@ -49,7 +49,6 @@ struct Input
   std::optional<Skeleton> graph;     ///< if treated as a graph: its vertices are the points
   std::optional<Volume_body> volume; ///< if the mesh is the surface of voxels
   bool is_wrapped = false;           ///< whether the mesh is a wrap around that of the file
-  bool has_other_columns = false;    ///< whether three numbers after each point are not normals
   CSCD::Shape_file as_read;          ///< the contents of the file, if kept
 };
 
@@ -83,10 +82,9 @@ Input make_input(CSCD::Indexed_triangles&& triangles);
 /// \throw Usage_error, `CSCD::File_error`
 Input read_graph(const Skeletonize_options& options);
 
-/// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
+/// The graph of the lines of `soup` and of the sides of its polygons; without any, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default
-Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<Index, 2>> edges,
-                    unsigned int number_of_neighbors);
+Skeleton make_graph(const CSCD::Shape_file& soup, unsigned int number_of_neighbors);
 
 /// The input that is this graph.
 Input make_input(Skeleton graph);
@@ -108,10 +106,6 @@ void check_skeleton_argument(const std::string& filename, const std::string& oth
 /// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
 /// \throw CSCD::File_error
 Skeleton read_skeleton_argument(const std::string& filename);
-
-/// The same for outputs, which must not be the input either.
-void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
-                            const std::string& other_endings = "");
 
 /// The coordinates that the value of `--root` gives; none if it names a rule.
 /// \pre `check_root()` has accepted it

@@ -114,15 +114,15 @@ CSCD::Shape_file to_soup(const Coordinates& points, const std::optional<Corners>
 cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& corners,
                        const std::optional<Corners>& edges, unsigned int number_of_neighbors)
 {
-  CSCD::Shape_file lines;
+  CSCD::Shape_file soup = to_soup(points, corners);
   if (edges) {
-    add_polygons(*edges, "edges", points.shape(0), lines);
+    CSCD::Shape_file ends;
+    add_polygons(*edges, "edges", points.shape(0), ends);
+    for (std::size_t i = 0; i < ends.corners.size(); i += 2) {
+      soup.lines.push_back({ends.corners[i], ends.corners[i + 1]});
+    }
   }
-  std::vector<std::array<Index, 2>> ends;
-  for (std::size_t i = 0; i < lines.corners.size(); i += 2) {
-    ends.push_back({lines.corners[i], lines.corners[i + 1]});
-  }
-  return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
+  return cscd::make_input(cscd::make_graph(soup, number_of_neighbors));
 }
 
 /// The mesh of polygons, repaired as the program repairs them, which has kept the points of the arrays; or the points.

@@ -294,10 +294,6 @@ def _indices(name: str, values: npt.ArrayLike, least: int, most: float, wanted: 
     return np.ascontiguousarray(rows, dtype=np.int64)
 
 
-def _edges(values: npt.ArrayLike) -> npt.NDArray[np.int64]:
-    return _indices("edges", values, 2, 2, "two")
-
-
 def _faces(values: npt.ArrayLike) -> npt.NDArray[np.int64]:
     if np.asarray(values).shape[:1] == (0,) and np.ndim(values) == 2:
         raise ValueError("F: has no rows; leave it out for points")
@@ -347,7 +343,7 @@ def skeletonize(
     given = locals()
     points = _rows("V", V)
     faces = None if F is None else _faces(F)
-    ends = None if edges is None else _edges(edges)
+    ends = None if edges is None else _indices("edges", edges, 2, 2, "two")
     options = {name: given[name] for name, *_ in _core.skeletonize_options}
     options["root"] = _root(root)
     if ends is not None:
