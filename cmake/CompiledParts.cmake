@@ -22,20 +22,15 @@ set(cscd_tree_links measure)
 set(cscd_application_sources Application/find_surface_loops.cpp Application/make_rig.cpp Application/segment_mesh.cpp)
 set(cscd_application_links measure)
 set(cscd_io_sources
-    IO/decompress.cpp
+    IO/files.cpp
     IO/parse_gltf.cpp
     IO/parse_meshes.cpp
-    IO/parse_points.cpp
-    IO/parse_records.cpp
-    IO/parse_skeletons.cpp
+    IO/parse_points_and_skeletons.cpp
     IO/parse_vtk.cpp
-    IO/read_files.cpp
     IO/repair_mesh.cpp
     IO/volumes.cpp
-    IO/write_file.cpp
     IO/write_rig.cpp
-    IO/write_skeleton.cpp
-    IO/write_tables.cpp)
+    IO/write_skeleton.cpp)
 set(cscd_io_links tree application)
 
 # cscd_add_parts(<prefix> [STATIC])

@@ -6,16 +6,22 @@
 #ifndef CSCD_SRC_IO_DECOMPRESS_H
 #define CSCD_SRC_IO_DECOMPRESS_H
 
-#include <CSCD/exceptions.h>
+#include "IO/formats.h"
+
+#ifdef CSCD_WITH_ZLIB
+#include <zlib.h>
+#endif
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
-#include <memory>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace CSCD::internal {
 
@@ -61,15 +67,13 @@ public:
     return result;
   }
 
-  /// All bytes that are left, up to the end of the Base64.
+  /// All bytes that are left of Base64.
   std::string take_all()
   {
-    std::string result = m_is_base64 ? std::move(m_decoded) : std::string(m_text);
-    while (m_is_base64 && skip_blanks()) {
-      decode_quartet(result);
+    while (skip_blanks()) {
+      decode_quartet(m_decoded);
     }
-    m_text = {};
-    return result;
+    return std::move(m_decoded);
   }
 
 private:
@@ -105,9 +109,8 @@ private:
 
   [[noreturn]] void fail() const
   {
-    throw File_error(m_filename +
-                     ": binary data are not Base64, or end before all that their header promises; fetch or "
-                     "write the file again");
+    fail_in_file(m_filename, "binary data are not Base64, or end before all that their header promises",
+                 "fetch or write the file again");
   }
 
   std::string_view m_text;
@@ -119,27 +122,119 @@ private:
 /// The greatest compression ratio of deflate: 258 bytes to 2 bits.
 inline constexpr std::size_t max_deflate_ratio = 1032;
 
-/// Decompresses zlib or gzip, piece by piece.
+#ifdef CSCD_WITH_ZLIB
+
+/// Decompresses zlib or gzip, piece by piece. \throw File_error, in all functions, if the data are damaged
 class Inflating_stream
 {
 public:
   /// \param in must outlive this object
   /// \param filename for messages
-  /// \throw File_error if this is built without zlib
-  Inflating_stream(std::istream& in, const std::string& filename);
-  ~Inflating_stream();
+  Inflating_stream(std::istream& in, std::string filename) : m_in(in), m_filename(std::move(filename))
+  {
+    constexpr int recognizes_header = 32;
+    if (inflateInit2(&m_stream, MAX_WBITS + recognizes_header) != Z_OK) {
+      fail("are damaged");
+    }
+  }
+  Inflating_stream(Inflating_stream&&) = delete;
+  ~Inflating_stream() { inflateEnd(&m_stream); }
 
-  /// \throw File_error if there are not `size` bytes left, or they are damaged
-  void read(char* bytes, std::size_t size);
-  /// Passes over `size` bytes. \throw File_error if there are not as many, or they are damaged
-  void skip(std::size_t size);
-  /// All that is left, but at most `max_size` bytes. \throw File_error if it is damaged, or ends within a stream
-  std::string read_all(std::size_t max_size = std::string::npos);
+  /// \throw File_error also if there are not `size` bytes left
+  void read(char* bytes, std::size_t size)
+  {
+    while (size > 0) {
+      const std::size_t number = read_some(bytes, size);
+      if (number == 0) {
+        fail("end too early");
+      }
+      bytes += number;
+      size -= number;
+    }
+  }
+
+  /// Passes over `size` bytes. \throw File_error also if there are not as many
+  void skip(std::size_t size)
+  {
+    std::array<char, 4096> skipped{};
+    for (; size > 0; size -= std::min(size, skipped.size())) {
+      read(skipped.data(), std::min(size, skipped.size()));
+    }
+  }
+
+  /// All that is left, but at most `max_size` bytes. \throw File_error also if it ends within a stream
+  std::string read_all(std::size_t max_size = std::string::npos)
+  {
+    std::string result;
+    for (std::size_t added = read_block_size; added > 0;) {
+      const std::size_t size = result.size();
+      result.resize(size + std::min(read_block_size, max_size - size));
+      added = read_some(result.data() + size, result.size() - size);
+      result.resize(size + added);
+    }
+    return result;
+  }
 
 private:
-  struct State;
-  std::unique_ptr<State> m_state;
+  /// Decompresses the next bytes, `size` of them at most. \return their number, 0 at the end of the data
+  std::size_t read_some(char* bytes, std::size_t size)
+  {
+    const uInt room = uInt(std::min<std::size_t>(size, std::numeric_limits<uInt>::max()));
+    m_stream.next_out = reinterpret_cast<Bytef*>(bytes);
+    m_stream.avail_out = room;
+    while (m_stream.avail_out > 0 && (m_stream.avail_in > 0 || refill())) {
+      const int status = ::inflate(&m_stream, Z_NO_FLUSH);
+      m_is_between_streams = status == Z_STREAM_END;
+      if (m_is_between_streams) {
+        inflateReset(&m_stream); // gzip allows several streams in one file
+      } else if (status != Z_OK) {
+        fail("are damaged");
+      }
+    }
+    return room - m_stream.avail_out;
+  }
+
+  /// \return false at the end of the data
+  bool refill()
+  {
+    m_in.read(m_buffer.data(), std::streamsize(m_buffer.size()));
+    m_stream.next_in = reinterpret_cast<Bytef*>(m_buffer.data());
+    m_stream.avail_in = uInt(m_in.gcount());
+    if (m_stream.avail_in == 0 && !m_is_between_streams) {
+      fail("end too early");
+    }
+    return m_stream.avail_in > 0;
+  }
+
+  [[noreturn]] void fail(const std::string& fault) const
+  {
+    fail_in_file(m_filename, "compressed data " + fault, "fetch or write the file again");
+  }
+
+  std::istream& m_in;
+  std::string m_filename;
+  std::vector<char> m_buffer = std::vector<char>(read_block_size);
+  z_stream m_stream{};
+  bool m_is_between_streams = true;
 };
+
+#else
+
+/// Refuses compressed data.
+class Inflating_stream
+{
+public:
+  Inflating_stream(std::istream&, const std::string& filename)
+  {
+    fail_in_file(filename, "is compressed, and this was built without zlib",
+                 "install zlib1g-dev and build again, or write the file without compression");
+  }
+  void read(char*, std::size_t) {}
+  void skip(std::size_t) {}
+  std::string read_all(std::size_t = 0) { return {}; }
+};
+
+#endif
 
 } // namespace CSCD::internal
 

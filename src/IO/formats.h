@@ -49,6 +49,12 @@ Parser parse_swc;
   throw File_error(filename + ": " + fault + "; " + remedy);
 }
 
+/// \throw File_error telling that the file ends before `what`
+[[noreturn]] inline void fail_at_end_of_file(const std::string& filename, const std::string& what)
+{
+  fail_in_file(filename, "the file ends before " + what, "it seems truncated, fetch or write it again");
+}
+
 /// \throw File_error if there are more points than indices, or one is not finite
 void check_points(const std::vector<Vector3>& points, const std::string& filename);
 

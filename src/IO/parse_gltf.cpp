@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -189,7 +190,8 @@ private:
     if (!is_below || !std::filesystem::is_regular_file(place, error)) {
       fail("its data are in a file of their own, which is not in its folder");
     }
-    return read_content(place.string());
+    std::ifstream in = open_file(place.string());
+    return read_content(in, place.string(), place.string());
   }
 
   /// Replaces `%20` and the like.

@@ -367,7 +367,7 @@ class Vtk_legacy_parser
 {
 public:
   Vtk_legacy_parser(std::string_view text, const std::string& filename, unsigned contents)
-      : m_filename(filename), m_scanner(text, filename), m_collector(filename, contents)
+      : m_scanner(text, filename), m_collector(filename, contents)
   {
   }
 
@@ -419,6 +419,8 @@ private:
     } else if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
       m_is_at_points = keyword == "POINT_DATA";
       m_number_of_tuples = count();
+    } else if (keyword == "FIELD") {
+      read_field();
     } else {
       read_attribute(keyword);
     }
@@ -463,18 +465,13 @@ private:
   /// Up to an empty line.
   void skip_metadata()
   {
-    m_scanner.skip_line();
-    while (m_scanner.remaining() > 0 && m_scanner.skip_blanks_in_line()) {
+    do {
       m_scanner.skip_line();
-    }
+    } while (m_scanner.skip_blanks_in_line());
   }
 
   void read_attribute(const std::string& keyword)
   {
-    if (keyword == "FIELD") {
-      read_field();
-      return;
-    }
     static const std::map<std::string, std::size_t> vectors{{"NORMALS", 3},  {"VECTORS", 3},    {"TENSORS", 9},
                                                             {"TENSORS6", 6}, {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}};
     const std::string name = word("the name of an array");
@@ -490,11 +487,9 @@ private:
       numbers(m_number_of_tuples, count(), type_of_color);
     } else if (keyword == "LOOKUP_TABLE") {
       numbers(count(), 4, type_of_color);
-    } else if (keyword == "TEXTURE_COORDINATES") {
-      const std::size_t number_of_components = count();
-      numbers(m_number_of_tuples, number_of_components, word("a type"));
-    } else if (const auto vector = vectors.find(keyword); vector != vectors.end()) {
-      const Numbers values = numbers(m_number_of_tuples, vector->second, word("a type"));
+    } else if (const auto vector = vectors.find(keyword); vector != vectors.end() || keyword == "TEXTURE_COORDINATES") {
+      const std::size_t number_of_components = vector != vectors.end() ? vector->second : count();
+      const Numbers values = numbers(m_number_of_tuples, number_of_components, word("a type"));
       add_array(keyword == "NORMALS" ? Vtk_collector::normals : "", values);
     } else {
       m_scanner.fail("the keyword " + printable_keyword(keyword) + " is unknown", remedy);
@@ -573,12 +568,11 @@ private:
     if (number > m_scanner.remaining() / its_type.size) {
       m_scanner.fail_at_end("all numbers of an array");
     }
-    Byte_scanner bytes(m_scanner.rest(), Byte_order::big, m_filename);
+    const char* const bytes = m_scanner.rest().data();
     m_scanner.skip(number * its_type.size);
-    return to_vector(bytes.numbers(its_type, number));
+    return to_vector({bytes, its_type, Byte_order::big, its_type.size, number});
   }
 
-  std::string m_filename;
   Text_scanner m_scanner;
   Vtk_collector m_collector;
   bool m_is_binary = false;

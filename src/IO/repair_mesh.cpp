@@ -179,11 +179,7 @@ Indexed_triangles triangulate_polygon_soup(Shape_file&& polygons)
 {
   Shape_file soup = std::move(polygons); // its memory is free when the triangles are there
   Indexed_triangles result;
-  std::size_t number_of_triangles = 0;
-  for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
-    number_of_triangles += std::max<std::size_t>(soup.size_of_polygon(polygon), 2) - 2;
-  }
-  result.faces.reserve(number_of_triangles);
+  result.faces.reserve(soup.corners.size() - std::min(2 * soup.number_of_polygons(), soup.corners.size()));
   for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
     const Index* const corners = soup.corners.data() + soup.first_corner[polygon];
     triangulate({soup.points, corners, soup.size_of_polygon(polygon)}, result.faces);

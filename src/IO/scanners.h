@@ -6,8 +6,8 @@
 #ifndef CSCD_SRC_IO_SCANNERS_H
 #define CSCD_SRC_IO_SCANNERS_H
 
+#include "IO/formats.h"
 #include <CSCD/Vector3.h>
-#include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/erase.hpp>
@@ -15,7 +15,6 @@
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -128,7 +127,7 @@ struct Number_view
   }
 };
 
-/// Goes through binary data number by number.
+/// Goes through binary data number by number. \throw File_error, in all functions that read, if the data end before
 class Byte_scanner
 {
 public:
@@ -141,17 +140,15 @@ public:
 
   /// The size of the rest of the data, in bytes.
   std::size_t remaining() const { return m_bytes.size(); }
-  /// Where the data that are left begin.
-  const char* data() const { return m_bytes.data(); }
 
-  /// Reads a number. \throw File_error if the data end before
+  /// Reads a number.
   template <class Number>
   Number number()
   {
     return stored_number<Number>(skip(sizeof(Number)), m_order);
   }
 
-  /// Reads three numbers. \throw File_error if the data end before
+  /// Reads three numbers.
   template <class Number>
   Vector3 vector()
   {
@@ -162,37 +159,24 @@ public:
     return result;
   }
 
-  /// Reads a number of any type. \pre the type is valid \throw File_error if the data end before
+  /// Reads a number of any type. \pre the type is valid
   double number(const Number_type& type)
   {
     return with_number_type(type, [this](auto zero) { return double(number<decltype(zero)>()); });
   }
 
-  /// Reads `count` numbers, one behind the other. \throw File_error if the data end before
-  Number_view numbers(const Number_type& type, std::size_t count)
-  {
-    check(count <= m_bytes.size() / type.size);
-    return {skip(count * type.size), type, m_order, type.size, count};
-  }
-
-  /// Passes over `size` bytes and returns where they begin. \throw File_error if the data end before
+  /// Passes over `size` bytes and returns where they begin.
   const char* skip(std::size_t size)
   {
-    check(size <= m_bytes.size());
+    if (size > m_bytes.size()) {
+      fail_at_end_of_file(m_filename, "all that its header promises");
+    }
     const char* const first = m_bytes.data();
     m_bytes.remove_prefix(size);
     return first;
   }
 
 private:
-  void check(bool fits) const
-  {
-    if (!fits) {
-      throw File_error(m_filename + ": the file ends before all that its header promises; it seems truncated, fetch or "
-                                    "write it again");
-    }
-  }
-
   std::string_view m_bytes;
   Byte_order m_order;
   std::string m_filename;
@@ -213,27 +197,19 @@ inline std::from_chars_result number_from_chars(const char* first, const char* l
 #ifdef __cpp_lib_to_chars
   return std::from_chars(first, last, value);
 #else
-  const auto belongs = [&](const char* at) {
-    const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(*at)));
-    return (lower != 'x' && std::isalnum(static_cast<unsigned char>(*at)) != 0) || *at == '.' ||
-           (*at == '-' && at == first) || ((*at == '-' || *at == '+') && (at[-1] == 'e' || at[-1] == 'E'));
-  };
-  const char* end = first;
-  while (end != last && belongs(end)) {
-    ++end;
-  }
-  const std::string text(first, end);
-  char* text_end = nullptr;
-  const double number = std::strtod(text.c_str(), &text_end);
-  if (text_end == text.c_str()) {
+  constexpr std::string_view behind_numbers = " \t\n\v\f\rxX"; // `x`: hexadecimal ones are not read
+  const std::string text(first, std::find_first_of(first, last, behind_numbers.begin(), behind_numbers.end()));
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const auto size = end - text.c_str();
+  if (size == 0 || text.front() == '+') {
     return {first, std::errc::invalid_argument};
   }
-  const bool is_out_of_range = std::isinf(number) && text.find_first_of("0123456789") != std::string::npos;
-  if (is_out_of_range) {
-    return {first + (text_end - text.c_str()), std::errc::result_out_of_range};
+  if (std::isinf(number) && text.find_first_of("0123456789") < std::size_t(size)) {
+    return {first + size, std::errc::result_out_of_range};
   }
   value = number;
-  return {first + (text_end - text.c_str()), std::errc()};
+  return {first + size, std::errc()};
 #endif
 }
 
@@ -242,7 +218,8 @@ inline bool is_blank(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks.
+/// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks. Functions that
+/// read throw a `File_error`, which names the file, the line and the remedy, if what they read is not at this place.
 /// `CGAL::IO::read_OFF()` and its like are not used: they take some fifteen times as long, allocate what a header
 /// promises before it is checked, and are undefined on some malformed files.
 class Text_scanner
@@ -294,7 +271,7 @@ public:
     return m_at != m_end && *m_at != '\n';
   }
 
-  /// Goes on to the next token. \throw File_error if the file ends before `what`
+  /// Goes on to the next token; `what` is missing if there is none.
   void expect(const char* what, char comment = 0)
   {
     if (!skip_blanks(comment)) {
@@ -302,7 +279,7 @@ public:
     }
   }
 
-  /// Goes on to the next token of this line. \throw File_error naming `fault` and `remedy` if there is none
+  /// Goes on to the next token of this line; `fault` and `remedy` are named if there is none.
   void expect_in_line(const char* fault, const char* remedy = correct_line)
   {
     if (!skip_blanks_in_line()) {
@@ -348,10 +325,9 @@ public:
   }
 
   /// Reads a number, which may be infinite or not a number.
-  /// \throw File_error if none is at this place
   double number()
   {
-    skip_plus();
+    skip_character('+');
     double value = 0;
     const char* const end = read_number(m_at, m_end, value);
     if (end == nullptr || (end != m_end && !is_blank(*end))) {
@@ -373,7 +349,6 @@ public:
   }
 
   /// Reads a number which is finite.
-  /// \throw File_error if there is none at this place
   double coordinate()
   {
     const double value = number();
@@ -383,9 +358,7 @@ public:
     return value;
   }
 
-  /// Reads three finite numbers of this line.
-  /// \param too_few the message if there are fewer
-  /// \throw File_error if there are fewer, or one that is not finite
+  /// Reads three finite numbers of this line. \param too_few the message if there are fewer
   Vector3 point_in_line(const char* too_few, const char* remedy = correct_line)
   {
     Vector3 point = Vector3::Zero();
@@ -397,10 +370,9 @@ public:
   }
 
   /// Reads an integer.
-  /// \throw File_error if there is none at this place
   std::int64_t integer(const char* meaning)
   {
-    skip_plus();
+    skip_character('+');
     std::int64_t value = 0;
     const std::from_chars_result result = std::from_chars(m_at, m_end, value);
     if (result.ec != std::errc()) {
@@ -410,8 +382,7 @@ public:
     return value;
   }
 
-  /// Reads a number that must not be negative.
-  /// \throw File_error if there is none at this place
+  /// Reads an integer that must not be negative.
   std::size_t count(const char* meaning)
   {
     const std::int64_t value = integer(meaning);
@@ -425,23 +396,13 @@ public:
   [[noreturn]] void fail(const std::string& fault, const std::string& remedy = correct_line) const
   {
     const auto line = 1 + std::count(m_begin, m_at, '\n');
-    throw File_error(m_filename + ", line " + std::to_string(line) + ": " + fault + "; " + remedy);
+    fail_in_file(m_filename + ", line " + std::to_string(line), fault, remedy);
   }
 
-  /// \throw File_error telling that the file ends too early
-  [[noreturn]] void fail_at_end(const std::string& what) const
-  {
-    throw File_error(m_filename + ": the file ends before " + what + "; it seems truncated, fetch or write it again");
-  }
+  /// \throw File_error telling that the file ends before `what`
+  [[noreturn]] void fail_at_end(const std::string& what) const { fail_at_end_of_file(m_filename, what); }
 
 private:
-  void skip_plus()
-  {
-    if (m_at != m_end && *m_at == '+') {
-      ++m_at;
-    }
-  }
-
   /// Whether a number out of range is one of very small magnitude.
   static bool is_underflow(const char* first, const char* last)
   {
@@ -479,7 +440,7 @@ public:
       const bool is_comment = m_text.substr(begin, comment.size()) == comment;
       const std::size_t end = is_comment ? m_text.find("-->", begin) : end_of_tag(begin);
       if (end == std::string_view::npos) {
-        throw File_error(m_filename + ": an XML tag does not end; fetch or write the file again");
+        fail_in_file(m_filename, "an XML tag does not end", "fetch or write the file again");
       }
       m_end = end + (is_comment ? 3 : 1);
       const char first = m_text[begin + 1];

@@ -131,8 +131,8 @@ public:
   {
     const std::array<double, 3 * size> v = numbers<3 * size>(text, name);
     std::array<Vector3, size> result;
-    for (std::size_t i = 0; i < size; ++i) {
-      result[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      result[i / 3][i % 3] = v[i];
     }
     return result;
   }

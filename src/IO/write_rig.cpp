@@ -13,13 +13,14 @@
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/version.h>
 
+#include <boost/range/adaptor/transformed.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <ostream>
 #include <sstream>
@@ -93,7 +94,8 @@ private:
 
   Json describe(const std::string& name)
   {
-    const std::size_t triangles = add_triangles();
+    const std::size_t triangles =
+        add_view<Index>(index_target, unsigned_int_type, "SCALAR", 3 * m_surface.triangles.size(), m_surface.triangles);
     const std::size_t matrices = add_inverse_bind_matrices();
     const Json attributes = {{"POSITION", add_positions()},
                              {"NORMAL", add_normals()},
@@ -136,13 +138,17 @@ private:
     m_document["scenes"].push_back({{"nodes", Json::array({0, roots[0]})}});
   }
 
-  /// Appends numbers of the type `Number` to the binary chunk. \return the number of their accessor
-  /// \param fill calls its argument with all numbers of `count` elements
-  template <class Number, class Fill>
-  std::size_t add_view(int target, int component_type, const char* type, std::size_t count, const Fill& fill)
+  /// Appends the rows of numbers of `count` elements to the binary chunk, each number converted to `Number`.
+  /// \return the number of their accessor
+  template <class Number, class Rows>
+  std::size_t add_view(int target, int component_type, const char* type, std::size_t count, const Rows& rows)
   {
     const std::size_t begin = std::size_t(m_binary.tellp());
-    fill([this](auto number) { write_little_endian(m_binary, Number(number)); });
+    for (const auto& row : rows) {
+      for (const auto number : row) {
+        write_little_endian(m_binary, Number(number));
+      }
+    }
     const std::size_t end = std::size_t(m_binary.tellp());
     Json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", end - begin}};
     if (target != no_target) {
@@ -159,11 +165,7 @@ private:
 
   std::size_t add_vectors(const std::vector<Vector3>& vectors)
   {
-    return add_view<float>(vertex_target, float_type, "VEC3", vectors.size(), [&](const auto& add) {
-      for (const Vector3& vector : vectors) {
-        std::for_each(vector.begin(), vector.end(), add);
-      }
-    });
+    return add_view<float>(vertex_target, float_type, "VEC3", vectors.size(), vectors);
   }
 
   std::size_t add_positions()
@@ -193,40 +195,26 @@ private:
     return add_vectors(normals);
   }
 
+  /// Joints are not turned: the matrices, column by column, move them to the origin.
+  std::size_t add_inverse_bind_matrices()
+  {
+    std::vector<std::array<double, 16>> matrices;
+    for (const Rig_joint& joint : m_rig.joints) {
+      const Vector3& p = joint.point;
+      matrices.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -p.x(), -p.y(), -p.z(), 1});
+    }
+    return add_view<float>(no_target, float_type, "MAT4", matrices.size(), matrices);
+  }
+
   /// \param member of the influences of all vertices
   template <class Number, class Value>
   std::size_t add_influences(int component_type, Value Rig_influence::*member)
   {
-    return add_view<Number>(vertex_target, component_type, "VEC4", m_rig.influences.size(), [&](const auto& add) {
-      for (const Rig::Influences& influences : m_rig.influences) {
-        for (const Rig_influence& influence : influences) {
-          add(influence.*member);
-        }
-      }
-    });
-  }
-
-  std::size_t add_triangles()
-  {
-    return add_view<Index>(index_target, unsigned_int_type, "SCALAR", 3 * m_surface.triangles.size(),
-                           [&](const auto& add) {
-                             for (const std::array<Index, 3>& triangle : m_surface.triangles) {
-                               std::for_each(triangle.begin(), triangle.end(), add);
-                             }
-                           });
-  }
-
-  /// Joints are not turned: the matrices, column by column, move them to the origin.
-  std::size_t add_inverse_bind_matrices()
-  {
-    return add_view<float>(no_target, float_type, "MAT4", m_rig.joints.size(), [&](const auto& add) {
-      for (const Rig_joint& joint : m_rig.joints) {
-        const Vector3& p = joint.point;
-        for (const double element : {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -p.x(), -p.y(), -p.z(), 1.}) {
-          add(element);
-        }
-      }
-    });
+    const auto row = [member](const Rig::Influences& influences) {
+      return influences | boost::adaptors::transformed(std::mem_fn(member));
+    };
+    return add_view<Number>(vertex_target, component_type, "VEC4", m_rig.influences.size(),
+                            m_rig.influences | boost::adaptors::transformed(row));
   }
 
   const Assigned_surface& m_surface;

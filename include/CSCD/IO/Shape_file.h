@@ -14,7 +14,6 @@
 #include <fstream>
 #include <istream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CSCD {
@@ -76,14 +75,22 @@ namespace internal {
 /// All that is left in `in`, decompressed if `format` ends as the name of a compressed file.
 /// \param name for messages
 /// \throw File_error if reading fails, or if it cannot be decompressed
-std::string read_content(std::istream& in, const std::string& name, const std::string& format = "");
+std::string read_content(std::istream& in, const std::string& name, const std::string& format);
+
+/// `vectors` as points or vectors of any type that is constructible from three coordinates.
+template <class Triple>
+std::vector<Triple> make_triples(const std::vector<Vector3>& vectors)
+{
+  std::vector<Triple> result;
+  result.reserve(vectors.size());
+  for (const Vector3& v : vectors) {
+    result.emplace_back(v.x(), v.y(), v.z());
+  }
+  return result;
+}
 
 /// Opens a file. \throw File_error if that fails, or it is a folder
 std::ifstream open_file(const std::string& filename);
-
-/// The content of the file `filename`, decompressed if it ends as the name of a compressed file.
-/// \throw File_error if it cannot be read
-std::string read_content(const std::string& filename);
 
 /// \name Contents of files, to be joined by `|`
 /// @{
@@ -93,14 +100,13 @@ inline constexpr unsigned skeleton_content = 4;
 inline constexpr unsigned any_content = mesh_content | point_content | skeleton_content;
 /// @}
 
-/// Reads what a file has of `contents`: polygons for a mesh, or else points; for a skeleton nodes, radii and lines.
-/// \param content that is not compressed
+/// Reads what a stream has of `contents`: polygons for a mesh, or else points; for a skeleton nodes, radii and lines.
 /// \param name for messages
-/// \throw File_error if no format with `contents` has this ending, if `content` is malformed, or has none of them
-Shape_file parse_shape(std::string_view content, const std::string& ending, const std::string& name, unsigned contents);
-/// The same for a file, or for the rest of a stream. \throw File_error also if it cannot be read
-Shape_file read_shape(const std::string& filename, unsigned contents);
+/// \throw File_error if no format with `contents` has this ending, if `in` cannot be read, is malformed, or has none of
+///        them
 Shape_file read_shape(std::istream& in, const std::string& ending, const std::string& name, unsigned contents);
+/// The same for a file.
+Shape_file read_shape(const std::string& filename, unsigned contents);
 
 } // namespace internal
 

@@ -7,7 +7,6 @@
 #define CSCD_IO_READ_POINTS_H
 
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/Vector3.h>
 
 #include <istream>
 #include <string>
@@ -22,18 +21,9 @@ namespace internal {
 template <class Point, class Vector>
 void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  const auto convert = [](const std::vector<Vector3>& from, auto& to) {
-    to.reserve(from.size());
-    for (const Vector3& v : from) {
-      to.emplace_back(v.x(), v.y(), v.z());
-    }
-  };
-  std::vector<Point> new_points;
-  std::vector<Vector> new_normals;
-  convert(file.points, new_points);
-  convert(file.normals, new_normals);
+  std::vector<Point> new_points = make_triples<Point>(file.points);
+  normals = make_triples<Vector>(file.normals);
   points = std::move(new_points);
-  normals = std::move(new_normals);
 }
 
 } // namespace internal

@@ -74,11 +74,7 @@ Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::st
 {
   using Point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type;
   const Manifold_triangles manifold = make_manifold(std::move(polygons), filename);
-  std::vector<typename boost::property_traits<Point_map>::value_type> points;
-  points.reserve(manifold.triangles.points.size());
-  for (const Vector3& p : manifold.triangles.points) {
-    points.emplace_back(p.x(), p.y(), p.z());
-  }
+  const auto points = make_triples<typename boost::property_traits<Point_map>::value_type>(manifold.triangles.points);
   CGAL::clear(mesh);
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, manifold.triangles.faces, mesh);
   return manifold.report;
