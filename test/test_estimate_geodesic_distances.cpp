@@ -95,7 +95,7 @@ TEST(Heat_method, gives_on_the_same_triangles_what_cgal_gives)
     Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
     Distance_map theirs = add_map(mesh);
     CGAL::Heat_method_3::estimate_geodesic_distances(mesh, theirs, Vertex(17), CGAL::Heat_method_3::Direct());
-    const CSCD::internal::Heat_method method(CSCD::test::to_surface(shape));
+    const CSCD::internal::Heat_method method(CSCD::internal::Intrinsic_triangulation(CSCD::test::to_surface(shape)));
     CSCD::internal::Heat_method::Workspace workspace;
     std::vector<double> ours;
     method({CSCD::internal::Geodesic_source::at_vertex(17)}, ours, workspace);

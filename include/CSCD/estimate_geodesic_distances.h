@@ -100,7 +100,7 @@ public:
   void estimate(const SourceRange& sources, VertexDistanceMap distances) const
   {
     m_distances.estimate_each({collect_sources(sources)},
-                              [&](std::size_t, const std::vector<double>& field) { write(sources, field, distances); });
+                              [&](const std::vector<double>& field) { write(sources, field, distances); });
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
@@ -120,8 +120,7 @@ public:
                       std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
     auto sources = std::begin(source_sets);
     auto map = std::begin(distance_maps);
-    m_distances.estimate_each(collected,
-                              [&](std::size_t, const std::vector<double>& field) { write(*sources++, field, *map++); });
+    m_distances.estimate_each(collected, [&](const std::vector<double>& field) { write(*sources++, field, *map++); });
   }
 
 private:
@@ -134,7 +133,7 @@ private:
       : m_mesh(&mesh), m_vertex_numbers(internal::vertex_numbers(mesh, collected.descriptors)),
         m_face_numbers(get(CGAL::dynamic_face_property_t<Index>(), mesh)),
         m_normalization(normalize_extent(collected.triangles.points)),
-        m_distances(std::move(collected.triangles), collected.pairing, time_step_factor)
+        m_distances(std::move(collected.triangles), std::move(collected.pairing), time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
     Index number_of_faces = 0;

@@ -89,7 +89,7 @@ public:
   void estimate(const SourceRange& sources, PointDistanceMap distances) const
   {
     m_distances.estimate_each({collect_sources(sources)},
-                              [&](std::size_t, const std::vector<double>& field) { write(field, distances); });
+                              [&](const std::vector<double>& field) { write(field, distances); });
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
@@ -105,7 +105,7 @@ public:
       collected.push_back(collect_sources(sources));
     }
     auto map = std::begin(distance_maps);
-    m_distances.estimate_each(collected, [&](std::size_t, const std::vector<double>& field) {
+    m_distances.estimate_each(collected, [&](const std::vector<double>& field) {
       CGAL_precondition(map != std::end(distance_maps));
       write(field, *map++);
     });

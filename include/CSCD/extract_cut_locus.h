@@ -124,7 +124,7 @@ void extract_cut_locus(const TriangleMesh& mesh,
   }
   const auto result = internal::extract_cut_locus_of_surface(
       std::move(collected.triangles), std::move(collected.pairing), source_numbers, std::move(distances),
-      internal::cut_locus_settings(np, internal::Cut_criterion()));
+      internal::cut_locus_settings(np, internal::Cut_locus_settings()));
   using Face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   const auto face_range = faces(mesh);
   const std::vector<Face_descriptor> face_descriptors(face_range.begin(), face_range.end());

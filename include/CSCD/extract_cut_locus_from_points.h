@@ -106,8 +106,9 @@ void extract_cut_locus(const PointRange& points, const std::vector<Point_descrip
       distances[cloud.input_point[i]] = internal::checked_distance(distance, "point", i);
     }
   }
-  const auto result = internal::extract_cut_locus_of_points(
-      cloud, source_numbers, std::move(distances), internal::cut_locus_settings(np, internal::point_cut_criterion()));
+  const auto result =
+      internal::extract_cut_locus_of_points(cloud, source_numbers, std::move(distances),
+                                            internal::cut_locus_settings(np, internal::point_cut_locus_settings()));
   std::vector<std::size_t> first_number(cloud.points.size(), 0); // of every point of the cloud
   for (std::size_t i = numbering.descriptors.size(); i-- > 0;) {
     first_number[cloud.input_point[i]] = i;

@@ -142,7 +142,7 @@ private:
 
   Vertex_number_map m_numbers; // `no_index` for a vertex without a face
   Triangulated_surface m_surface;
-  internal::Edge_flip_shortening<Triangulated_surface> m_shorten;
+  internal::Edge_flip_shortening m_shorten;
 };
 
 /// shortens a curve along the edges of a triangle mesh to a geodesic that runs over its faces, see `Curve_shortening`,

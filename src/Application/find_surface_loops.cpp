@@ -487,7 +487,7 @@ private:
   const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;
   Loop_classes m_classes;
-  Edge_flip_shortening<Triangulated_surface> m_shorten;
+  Edge_flip_shortening m_shorten;
   bool m_is_consistent;
   std::vector<Candidate> m_candidates;
 };

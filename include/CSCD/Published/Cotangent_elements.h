@@ -79,43 +79,37 @@ inline Face_layout lay_out_face(std::array<double, 3> lengths, double unit)
 /// Linear finite elements on a triangulation, from the lengths of its edges alone.
 ///
 /// Every component is measured in its own unit, the mean length of its edges: results on a component do not depend on
-/// others, and numbers are moderate whatever the scale is. Faces that bridge borders are left out: borders keep the
-/// natural condition, that no heat flows through them. Vertices may be joined by several edges or to themselves.
+/// others, and numbers are moderate whatever the scale is. Borders keep the natural condition, that no heat flows
+/// through them. Vertices may be joined by several edges or to themselves.
 class Cotangent_elements
 {
 public:
   struct Face
   {
     std::array<Index, 3> vertices; ///< the corners 0, 1 and 2 of the layout: origins of the halfedges 3f, 3f+1, 3f+2
-    Index face = no_index;         ///< its number in the triangulation
     Face_layout layout;            ///< in the unit of its component
   };
 
   /// Lays out all faces of `triangulation`, which is not referred to later; linear.
-  /// \tparam Triangulation has `number_of_vertices()`, `number_of_faces()`, `origin(h)` and `length(h)`, where face f
-  ///         has the halfedges 3f, 3f+1 and 3f+2; and it may have `is_hole_filling(f)`
-  template <class Triangulation>
-  explicit Cotangent_elements(const Triangulation& triangulation) : m_masses(triangulation.number_of_vertices(), 0.)
+  explicit Cotangent_elements(const Intrinsic_triangulation& triangulation)
+      : m_masses(triangulation.number_of_vertices(), 0.)
   {
     number_components(triangulation);
     measure_units(triangulation);
     m_faces.reserve(triangulation.number_of_faces());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
-      if (!is_hole_filling_face(triangulation, f)) {
-        add_face(triangulation, f);
-      }
+      add_face(triangulation, f);
     }
   }
 
   Index number_of_vertices() const { return Index(m_masses.size()); }
-  /// The faces that carry area, by ascending number.
+  /// All faces, by their numbers.
   const std::vector<Face>& faces() const { return m_faces; }
-  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of hole-filling faces
-  /// only.
+  /// A third of the areas of the vertex's faces, in the unit of its component.
   double mass(Index vertex) const { return m_masses[vertex]; }
 
   Index number_of_components() const { return Index(m_units.size()); }
-  /// The component of `vertex`, joined through faces that carry area.
+  /// The component of `vertex`, joined through faces.
   Index component(Index vertex) const { return m_component[vertex]; }
   /// The mean length of the component's edges, those on no border counted twice.
   double unit(Index component) const { return m_units[component]; }
@@ -153,38 +147,31 @@ public:
   }
 
 private:
-  template <class Triangulation>
-  void number_components(const Triangulation& triangulation)
+  void number_components(const Intrinsic_triangulation& triangulation)
   {
     Disjoint_sets sets(number_of_vertices());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
-      if (!is_hole_filling_face(triangulation, f)) {
-        sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 1));
-        sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
-      }
+      sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 1));
+      sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
     }
     Index number_of_components = 0;
     m_component = sets.numbers(number_of_components);
     m_units.assign(number_of_components, 0.);
   }
 
-  template <class Triangulation>
-  void measure_units(const Triangulation& triangulation)
+  void measure_units(const Intrinsic_triangulation& triangulation)
   {
     std::vector<double> count(m_units.size(), 0.);
-    for (Index h = 0; h < 3 * triangulation.number_of_faces(); ++h) {
-      if (!is_hole_filling_face(triangulation, h / 3)) {
-        m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
-        count[m_component[triangulation.origin(h)]] += 1;
-      }
+    for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
+      m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
+      count[m_component[triangulation.origin(h)]] += 1;
     }
     for (std::size_t i = 0; i < m_units.size(); ++i) {
       m_units[i] = m_units[i] > 0 ? m_units[i] / count[i] : 0.;
     }
   }
 
-  template <class Triangulation>
-  void add_face(const Triangulation& triangulation, Index f)
+  void add_face(const Intrinsic_triangulation& triangulation, Index f)
   {
     const double unit = m_units[m_component[triangulation.origin(3 * f)]];
     // Where everything is in one point, any finite elements will do: distances get the unit 0.
@@ -193,7 +180,6 @@ private:
       lengths[k] = triangulation.length(3 * f + k) / unit;
     }
     m_faces.push_back({{triangulation.origin(3 * f), triangulation.origin(3 * f + 1), triangulation.origin(3 * f + 2)},
-                       f,
                        lay_out_face(lengths, 1)});
     for (const Index vertex : m_faces.back().vertices) {
       m_masses[vertex] += m_faces.back().layout.area() / 3;

@@ -69,14 +69,13 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
                                                                          std::vector<double>&& distances,
                                                                          const Cut_locus_settings& settings)
 {
-  using Triangulation = Intrinsic_triangulation<Triangulated_surface>;
   using Vertex = Extracted_cut_locus<Face_point>::Vertex;
   const Triangulated_surface surface(std::move(triangles), std::move(pairing));
-  const Triangulation triangulation = make_intrinsic_delaunay(surface);
+  const Intrinsic_triangulation triangulation = make_intrinsic_delaunay(surface);
   if (distances.empty()) {
     distances = distances_from_vertices(triangulation, sources);
   }
-  const Tangent_frames<Triangulation> frames(triangulation);
+  const Tangent_frames frames(triangulation);
   const auto at_vertex = [&](Index vertex) {
     const Index corner = *std::min_element(surface.outgoing(vertex).begin(), surface.outgoing(vertex).end());
     Face_point location{Triangulated_surface::face(corner), {}};
@@ -85,9 +84,7 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
   };
   // Where an edge of the triangulation crosses edges of the surface.
   const auto for_each_crossing = [&](Index halfedge, const auto& use) {
-    Edge_trace trace;
-    triangulation.trace(halfedge, trace);
-    for (const auto& [h, position] : trace.crossings()) {
+    for (const auto& [h, position] : triangulation.trace(halfedge)) {
       Face_point location{Triangulated_surface::face(h), {}};
       location.weights[h % 3] = 1 - position;
       location.weights[Triangulated_surface::next(h) % 3] = position;
@@ -97,8 +94,8 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
                  (1 - position) * distances[from] + position * distances[to]});
     }
   };
-  return extract_cut_locus_on<Face_point>(Cut_locus_indicators<Triangulation>(frames, distances), sources, settings,
-                                          at_vertex, for_each_crossing);
+  return extract_cut_locus_on<Face_point>(Cut_locus_indicators(frames, distances), sources, settings, at_vertex,
+                                          for_each_crossing);
 }
 
 /// On the complex of the points, with distances on the intrinsic Delaunay triangulation of its tufted cover.
@@ -116,8 +113,7 @@ CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_c
                         ", lies off the surface of the others: choose another one");
     }
   }
-  const Tufted_cover cover(complex);
-  const Intrinsic_triangulation<Tufted_cover> triangulation = make_intrinsic_delaunay(cover);
+  const Intrinsic_triangulation triangulation = make_intrinsic_delaunay(Tufted_cover(complex));
   if (distances.empty()) {
     distances = distances_from_vertices(triangulation, vertices);
   }

@@ -63,7 +63,7 @@ inline double max_convergence(const Gradient_samples& samples)
 
 /// Decides which vertices are points of the cut locus, however derivatives are computed.
 /// \tparam Derived has the members `frames()`, `laplacian(vertex)`, `gradient(vertex)` and
-///         `collect_samples(vertex, samples)`
+///         `collect_samples(vertex, samples)`, which collects what has a gradient around a vertex, counterclockwise
 template <class Derived>
 class Cut_point_test
 {
@@ -85,31 +85,22 @@ public:
     return result;
   }
 
-  /// The greatest angle in [0, pi] between two of the gradients around `vertex` that run towards each other.
-  /// \param gradients if given, those of all vertices, as `gradients()` returns them: the neighbors are then compared
-  ///        in any case
-  template <class... Gradients>
-  double convergence(Index vertex, const Gradients&... gradients) const
+  /// Whether `vertex` is a point of the cut locus.
+  /// \param gradients if given, those of all vertices: then the neighbors are compared, which lie farther away than the
+  ///        faces around the vertex, where a heat method does not round off a ridge any more
+  bool is_cut(Index vertex, const Cut_locus_settings& settings, const std::vector<Complex>* gradients = nullptr) const
   {
+    if (!is_reached(vertex) || !(derived().laplacian(vertex) <= settings.laplacian_threshold)) {
+      return false;
+    }
     Gradient_samples samples;
-    derived().collect_samples(vertex, gradients..., samples);
-    return max_convergence(samples);
-  }
-
-  /// Whether `vertex` is a point of the cut locus. \param gradients as for `convergence()`
-  template <class... Gradients>
-  bool is_cut(Index vertex, const Cut_criterion& criterion, const Gradients&... gradients) const
-  {
-    return is_reached(vertex) && derived().laplacian(vertex) <= criterion.laplacian_threshold &&
-           convergence(vertex, gradients...) >= criterion.angle_threshold;
-  }
-
-  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise: these lie farther away than the faces
-  /// around it, where a heat method does not round off a ridge any more. \param gradients those of all vertices
-  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
-  {
-    collect_neighbors(
-        vertex, [&gradients](Index neighbor) { return gradients[neighbor]; }, samples);
+    if (gradients != nullptr) {
+      collect_neighbors(
+          vertex, [gradients](Index neighbor) { return (*gradients)[neighbor]; }, samples);
+    } else {
+      derived().collect_samples(vertex, samples);
+    }
+    return max_convergence(samples) >= settings.angle_threshold;
   }
 
 protected:
@@ -145,26 +136,19 @@ private:
 /// The derivatives of a distance field at the vertices, each computed on request, from the faces around the
 /// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise; samples beyond a
 /// constant number are thinned out evenly before they are compared pair by pair.
-template <class Triangulation>
-class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators<Triangulation>>
+class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators>
 {
-  using Base = Cut_point_test<Cut_locus_indicators<Triangulation>>;
-
 public:
-  using Base::collect_samples;
-  using Base::distance;
-  using Base::distances;
-  using Frames = Tangent_frames<Triangulation>;
-  using Complex = typename Frames::Complex;
+  using Frames = Tangent_frames;
   using Basis = Frames; ///< the data behind them
 
   static constexpr bool knows_loops = true; ///< around handles
-  static constexpr Cut_criterion default_criterion() { return {}; }
+  static constexpr Cut_locus_settings default_settings() { return {}; }
   static const Frames& frames_of(const Basis& basis) { return basis; }
 
   /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
   ///        referred to and must outlive this object
-  Cut_locus_indicators(const Frames& frames, const std::vector<double>& field) : Base(field), m_frames(frames)
+  Cut_locus_indicators(const Frames& frames, const std::vector<double>& field) : Cut_point_test(field), m_frames(frames)
   {
     CGAL_precondition(field.size() == frames.triangulation().number_of_vertices());
   }
@@ -174,7 +158,7 @@ public:
   /// The unit gradient in the face of `halfedge`, in the frame of the origin of `halfedge`; 0 where there is none.
   Complex face_direction(Index halfedge) const
   {
-    const Triangulation& triangulation = m_frames.triangulation();
+    const Intrinsic_triangulation& triangulation = m_frames.triangulation();
     const auto& corner = m_frames.corner(halfedge);
     if (corner.sine == 0) {
       return 0;
@@ -210,7 +194,7 @@ public:
     if (!(area > 0)) {
       return 0;
     }
-    const Triangulation& triangulation = m_frames.triangulation();
+    const Intrinsic_triangulation& triangulation = m_frames.triangulation();
     double sum = 0;
     m_frames.for_each_outgoing(vertex, [&](Index h) {
       const Index next = triangulation.next(h);
@@ -222,7 +206,7 @@ public:
     return std::isfinite(sum) ? sum / area * spacing : 0;
   }
 
-  /// Collects the faces around `vertex` that have a gradient, counterclockwise.
+  /// Collects the faces around `vertex`.
   void collect_samples(Index vertex, Gradient_samples& samples) const
   {
     samples.clear();
@@ -254,23 +238,19 @@ private:
 /// neighbors of a vertex are compared.
 class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicators>
 {
-  using Base = Cut_point_test<Point_cut_locus_indicators>;
-
 public:
   using Frames = Point_frames;
-  using Complex = Frames::Complex;
   using Basis = Point_derivatives; ///< the data behind them
-  using Base::collect_samples;
 
   static constexpr bool knows_loops = false;
   static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
 
-  static constexpr Cut_criterion default_criterion() { return point_cut_criterion(); }
+  static constexpr Cut_locus_settings default_settings() { return point_cut_locus_settings(); }
 
   /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `derivatives`, it
   ///        is referred to and must outlive this object
   Point_cut_locus_indicators(const Point_derivatives& derivatives, const std::vector<double>& field)
-      : Base(field), m_derivatives(derivatives)
+      : Cut_point_test(field), m_derivatives(derivatives)
   {
     CGAL_precondition(field.size() == frames().triangulation().number_of_vertices());
   }
@@ -297,7 +277,7 @@ public:
     return std::isfinite(result) ? result : 0;
   }
 
-  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise.
+  /// Collects the neighbors of `vertex`.
   void collect_samples(Index vertex, Gradient_samples& samples) const
   {
     collect_neighbors(

@@ -272,12 +272,11 @@ void thin_branches(const Frames& frames, Cut_tree& cut)
 /// Unites the faces of a triangulation across its edges in order of distance, so that they make one disc around each
 /// source: an edge that would close a ring of faces, or join the discs of two sources, is not crossed. So the cut locus
 /// is not crossed, since there the discs meet. Borders count as closed by discs.
-template <class Triangulation>
 class Disc_growth
 {
 public:
   /// \param sources those that are neighbors share a disc
-  Disc_growth(const Cut_locus_indicators<Triangulation>& measures, const std::vector<Index>& sources)
+  Disc_growth(const Cut_locus_indicators& measures, const std::vector<Index>& sources)
       : m_measures(measures), m_triangulation(measures.frames().triangulation()),
         m_discs(std::size_t(m_triangulation.number_of_faces()) + m_triangulation.number_of_vertices()),
         m_has_source(m_discs.size(), 0)
@@ -329,7 +328,7 @@ private:
   Index across(Index halfedge) const
   {
     const Index twin = m_triangulation.twin(halfedge);
-    return twin != no_index ? Triangulation::face(twin) : outside(m_triangulation.origin(halfedge));
+    return twin != no_index ? Triangle_halfedges::face(twin) : outside(m_triangulation.origin(halfedge));
   }
 
   /// Makes one disc of the outsides along each border.
@@ -372,7 +371,7 @@ private:
   void mark_face_of(Index source)
   {
     Index face = no_index;
-    m_measures.frames().for_each_outgoing(source, [&](Index h) { face = std::min(face, Triangulation::face(h)); });
+    m_measures.frames().for_each_outgoing(source, [&](Index h) { face = std::min(face, Triangle_halfedges::face(h)); });
     if (face != no_index) {
       m_has_source[m_discs.find(face)] = 1;
     }
@@ -381,7 +380,7 @@ private:
   /// Joins the discs on both sides of `halfedge`. \return false if they are one already, or each holds a source
   bool cross(Index halfedge)
   {
-    const Index a = m_discs.find(Triangulation::face(halfedge));
+    const Index a = m_discs.find(Triangle_halfedges::face(halfedge));
     const Index b = m_discs.find(across(halfedge));
     if (a == b || (m_has_source[a] != 0 && m_has_source[b] != 0)) {
       return false;
@@ -392,8 +391,8 @@ private:
     return true;
   }
 
-  const Cut_locus_indicators<Triangulation>& m_measures;
-  const Triangulation& m_triangulation;
+  const Cut_locus_indicators& m_measures;
+  const Intrinsic_triangulation& m_triangulation;
   Disjoint_sets m_discs; ///< of faces and, for each vertex, of the outside there
   std::vector<char> m_has_source;
 };
@@ -402,13 +401,11 @@ private:
 /// and of the edges where they meet those are taken away, one after the other, that end freely. None are left on a
 /// sphere with one source. Fronts may meet there at any angle, even at one that no threshold would notice.
 /// O(m log m) for m faces.
-template <class Triangulation>
-std::vector<char> find_loop_vertices(const Cut_locus_indicators<Triangulation>& measures,
-                                     const std::vector<Index>& sources)
+inline std::vector<char> find_loop_vertices(const Cut_locus_indicators& measures, const std::vector<Index>& sources)
 {
-  const Triangulation& triangulation = measures.frames().triangulation();
+  const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   const auto never = [](Index) { return false; };
-  const std::vector<Index> uncrossed = Disc_growth<Triangulation>(measures, sources)(never, never);
+  const std::vector<Index> uncrossed = Disc_growth(measures, sources)(never, never);
 
   std::vector<char> is_left(triangulation.number_of_halfedges(), 0);
   std::vector<Index> degree(triangulation.number_of_vertices(), 0);
@@ -447,10 +444,9 @@ std::vector<char> find_loop_vertices(const Cut_locus_indicators<Triangulation>& 
 /// chords. On a closed connected surface of genus g, k sources make 2 g + k - 1 of them, and as many loops. Borders
 /// count as closed by discs. O(m log m) for m faces.
 /// \param sources the vertices at distance 0; those that are neighbors count as one source
-template <class Triangulation>
-void close_loops(const Cut_locus_indicators<Triangulation>& measures, const std::vector<Index>& sources, Cut_tree& cut)
+inline void close_loops(const Cut_locus_indicators& measures, const std::vector<Index>& sources, Cut_tree& cut)
 {
-  const Triangulation& triangulation = measures.frames().triangulation();
+  const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   const auto is_tree_edge = [&](Index halfedge, Index vertex) {
     const Index own = cut.tree().halfedge_to_parent(vertex);
     return own != no_index && (own == halfedge || own == triangulation.twin(halfedge));
@@ -462,7 +458,7 @@ void close_loops(const Cut_locus_indicators<Triangulation>& measures, const std:
   const auto is_kept = [&](Index halfedge) {
     return cut.is_kept(triangulation.origin(halfedge)) && cut.is_kept(triangulation.target(halfedge));
   };
-  for (Index halfedge : Disc_growth<Triangulation>(measures, sources)(is_in_tree, is_kept)) {
+  for (Index halfedge : Disc_growth(measures, sources)(is_in_tree, is_kept)) {
     cut.add_chord(halfedge, triangulation.origin(halfedge), triangulation.target(halfedge));
   }
 }
@@ -498,7 +494,7 @@ Cut_tree find_cut_tree(const Measures& measures, const std::vector<Index>& sourc
   Cut_tree cut(Org_tree(measures, is_on_loop));
   const Org_tree& tree = cut.tree();
   for (const Index vertex : tree.order()) {
-    if (tree.is_on_loop(vertex) || measures.is_cut(vertex, settings.criterion, gradients)) {
+    if (tree.is_on_loop(vertex) || measures.is_cut(vertex, settings, &gradients)) {
       cut.keep(vertex);
     }
   }

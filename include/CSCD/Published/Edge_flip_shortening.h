@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -27,57 +29,53 @@ namespace CSCD::internal {
 
 /// An intrinsic triangulation that takes its flips back: so curves on one surface are shortened one after the other,
 /// and each costs nothing of the size of the surface. One object serves one thread.
-template <class Surface>
-class Revertible_triangulation : public Intrinsic_triangulation<Surface>
+class Revertible_triangulation : public Intrinsic_triangulation
 {
-  using Base = Intrinsic_triangulation<Surface>;
-
 public:
-  using Base::Base;
-  explicit Revertible_triangulation(const Base& triangulation) : Base(triangulation) {}
-
-  /// Whether both halfedges are those of one edge.
-  bool are_twins(Index a, Index b) const { return this->twin(a) == b; }
-  /// The next halfedge of the same origin, counterclockwise.
-  Index next_around_origin(Index halfedge) const { return this->twin(this->previous(halfedge)); }
+  template <class Surface>
+  Revertible_triangulation(const Surface& surface, Index number_of_faces)
+      : Intrinsic_triangulation(surface, number_of_faces)
+  {
+  }
+  explicit Revertible_triangulation(const Intrinsic_triangulation& triangulation)
+      : Intrinsic_triangulation(triangulation)
+  {
+  }
 
   /// Flips the edge if its two faces form a strictly convex quadrilateral. \return whether it did
-  bool flip_if_convex(Index halfedge)
+  bool flip(Index halfedge)
   {
-    if (!this->is_flippable(halfedge)) {
-      return false;
+    const std::optional<double> diagonal = other_diagonal(halfedge);
+    if (diagonal) {
+      const Index t = twin(halfedge);
+      const Index moved[] = {previous(halfedge), previous(t)};
+      for (const Index h : {halfedge, t, moved[0], moved[1], twin(moved[0]), twin(moved[1])}) {
+        m_log.emplace_back(h, m_halfedges[h]);
+      }
+      replace_diagonal(halfedge, *diagonal);
     }
-    const Index twin = this->twin(halfedge);
-    const Index moved[] = {this->previous(halfedge), this->previous(twin)};
-    for (const Index h : {halfedge, twin, moved[0], moved[1], this->twin(moved[0]), this->twin(moved[1])}) {
-      m_log.emplace_back(h, this->m_halfedges[h]);
-    }
-    this->flip(halfedge);
-    return true;
+    return diagonal.has_value();
   }
 
   /// Takes all flips back. Linear in their number.
   void revert()
   {
     for (; !m_log.empty(); m_log.pop_back()) {
-      this->m_halfedges[m_log.back().first] = m_log.back().second;
+      m_halfedges[m_log.back().first] = m_log.back().second;
     }
   }
 
 private:
-  std::vector<std::pair<Index, typename Base::Halfedge>>
-      m_log; // halfedges before they were overwritten, the last at the end
+  std::vector<std::pair<Index, Halfedge>> m_log; // halfedges before they were overwritten, the last at the end
 };
 
 /// A path of segments, each along a halfedge, open or closed, as a linked list. Where several segments run along one
 /// edge, they lie side by side in an order that is kept: so the path has a left and a right also where it touches
 /// itself. Segments keep their numbers while edges of the triangulation are flipped.
-/// \tparam Triangulation that of the halfedges
-template <class Triangulation>
 class Edge_path
 {
 public:
-  explicit Edge_path(const Triangulation& triangulation)
+  explicit Edge_path(const Intrinsic_triangulation& triangulation)
       : m_outermost(triangulation.number_of_halfedges(), no_index), m_triangulation(triangulation)
   {
   }
@@ -159,15 +157,16 @@ public:
     m_segments[segment].halfedge = no_index;
   }
 
-  /// Follows a flip of the edge of `h` and `t`, on which no segment lies, see `Intrinsic_triangulation::flip()`.
+  /// Follows a flip of the edge of `h` and `t`, on which no segment lies, see
+  /// `Intrinsic_triangulation::replace_diagonal()`.
   void follow_flip(Index h, Index t)
   {
-    const Index from_left = outermost(Triangulation::previous(h));
-    const Index from_right = outermost(Triangulation::previous(t));
-    renumber(from_left, Triangulation::previous(h), t);
-    renumber(from_right, Triangulation::previous(t), h);
-    set_outermost(Triangulation::previous(h), no_index);
-    set_outermost(Triangulation::previous(t), no_index);
+    const Index from_left = outermost(Triangle_halfedges::previous(h));
+    const Index from_right = outermost(Triangle_halfedges::previous(t));
+    renumber(from_left, Triangle_halfedges::previous(h), t);
+    renumber(from_right, Triangle_halfedges::previous(t), h);
+    set_outermost(Triangle_halfedges::previous(h), no_index);
+    set_outermost(Triangle_halfedges::previous(t), no_index);
     set_outermost(t, from_left);
     set_outermost(h, from_right);
   }
@@ -212,7 +211,7 @@ private:
   std::vector<Segment> m_segments;
   std::vector<Index> m_outermost; // of every halfedge
   std::vector<Index> m_touched;   // halfedges that may have one
-  const Triangulation& m_triangulation;
+  const Intrinsic_triangulation& m_triangulation;
 };
 
 /// Shortens curves along edges, closed or open, by flipping edges of the triangulation next to them: where the curve
@@ -221,8 +220,6 @@ private:
 /// paper).
 ///
 /// One object serves one thread, and holds its own intrinsic triangulation of the surface. Reuse it.
-/// \tparam Surface a model of `SurfaceTriangulation` that the resulting paths run over
-template <class Surface>
 class Edge_flip_shortening
 {
 public:
@@ -231,20 +228,18 @@ public:
   /// A closed curve has collapsed when it is shorter than this part of its first length.
   static constexpr double collapsed_part = 0.15;
 
-  /// Curves are given along the edges of `surface`. Linear.
-  explicit Edge_flip_shortening(const Surface& surface) : Edge_flip_shortening(surface, surface.number_of_faces()) {}
-
-  /// The same on the first `number_of_faces` faces of a surface only, around the others, which no curve ever crosses:
-  /// where they are in the way, it goes along their edges. So borders are kept that were bridged, see
-  /// `first_hole_filling_face()`.
+  /// Curves are given along the edges of `surface`, which has no borders. They never cross the faces from
+  /// `number_of_faces` on: where these are in the way, curves go along their edges. So borders are kept that were
+  /// bridged, see `first_hole_filling_face()`. Linear.
+  /// \tparam Surface a model of `SurfaceTriangulation`, which is not referred to later
+  template <class Surface>
   Edge_flip_shortening(const Surface& surface, Index number_of_faces)
-      : m_triangulation(surface, surface.number_of_faces(), mollifying_length(surface, number_of_faces)),
-        m_path(m_triangulation), m_number_of_faces(number_of_faces)
+      : m_triangulation(surface, number_of_faces), m_path(m_triangulation), m_number_of_faces(number_of_faces)
   {
   }
 
   /// Curves are given along the edges of `triangulation`, which has no borders. Linear.
-  explicit Edge_flip_shortening(const Intrinsic_triangulation<Surface>& triangulation)
+  explicit Edge_flip_shortening(const Intrinsic_triangulation& triangulation)
       : m_triangulation(triangulation), m_path(m_triangulation), m_number_of_faces(triangulation.number_of_faces())
   {
   }
@@ -260,17 +255,17 @@ public:
   /// \param is_pinned whether the curve must not be moved off a vertex; it may be moved onto it (E.2)
   /// \return the outcome; `collapsed` leaves no points
   /// \pre the curve neither crosses itself nor runs along one edge twice, except straight back
-  template <class IsPinned>
-  Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
-                                Surface_path& result)
+  Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed,
+                                std::function<bool(Index)> is_pinned, Surface_path& result)
   {
-    run(halfedges, is_closed, is_pinned, std::numeric_limits<std::size_t>::max());
+    m_is_pinned = std::move(is_pinned);
+    run(halfedges, is_closed, std::numeric_limits<std::size_t>::max());
     if (m_length > m_length_of_single) {
       // Taken off its vertex for the last time, it has become longer.
-      run(halfedges, is_closed, is_pinned, m_number_of_single_steps - 1);
+      run(halfedges, is_closed, m_number_of_single_steps - 1);
     }
     write(result);
-    return outcome(is_pinned);
+    return outcome();
   }
 
   /// The same without pinned vertices.
@@ -281,8 +276,6 @@ public:
   }
 
 private:
-  using Triangulation = Revertible_triangulation<Surface>;
-
   static constexpr double pi = boost::math::constants::pi<double>();
 
   /// A curve is given up after so many steps for each of its first segments: hundreds of times what it takes.
@@ -304,17 +297,16 @@ private:
   };
 
   /// Shortens the curve; one of a single segment is taken off its vertex at most `max_single_steps` times.
-  template <class IsPinned>
-  void run(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned, std::size_t max_single_steps)
+  void run(const std::vector<Index>& halfedges, bool is_closed, std::size_t max_single_steps)
   {
     start(halfedges, is_closed);
     m_max_single_steps = max_single_steps;
-    for_each_segment([&](Index segment) { queue(segment, is_pinned); });
+    for_each_segment([&](Index segment) { queue(segment); });
     std::size_t steps_left = max_steps_per_segment * (halfedges.size() + 1);
     while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
       const Bend bend = pop();
       if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
-        straighten(bend, is_pinned);
+        straighten(bend);
         m_is_collapsed = m_is_collapsed || (is_closed && m_length < collapsed_part * m_first_length);
         --steps_left;
       }
@@ -367,7 +359,7 @@ private:
 
   bool is_backtrack(Index segment) const
   {
-    return m_triangulation.are_twins(m_path.halfedge(segment), m_path.halfedge(m_path.next(segment)));
+    return m_triangulation.twin(m_path.halfedge(segment)) == m_path.halfedge(m_path.next(segment));
   }
 
   /// The halfedges from the vertex behind `segment` between which the angle on one side lies, counterclockwise.
@@ -381,7 +373,7 @@ private:
   /// Whether the face of `halfedge` is closed to curves. No edge of it is ever flipped.
   bool is_closed_face(Index halfedge) const
   {
-    return Surface::face(m_triangulation.input_halfedge(halfedge)) >= m_number_of_faces;
+    return Triangle_halfedges::face(m_triangulation.input_halfedge(halfedge)) >= m_number_of_faces;
   }
 
   /// The angle behind `segment` on one side, or a part of it that is not a bend any more; endless over closed faces.
@@ -417,15 +409,14 @@ private:
   }
 
   /// Queues the bends behind `segment`. Parts straight back are taken out even where vertices are pinned.
-  template <class IsPinned>
-  void queue(Index segment, const IsPinned& is_pinned)
+  void queue(Index segment)
   {
     if (m_path.next(segment) == no_index) {
       return;
     }
     if (is_backtrack(segment)) {
       push({0., segment, m_path.version(segment), true});
-    } else if (!is_pinned(vertex_behind(segment))) {
+    } else if (!m_is_pinned(vertex_behind(segment))) {
       for (const bool is_left : {true, false}) {
         const double angle = angle_behind(segment, is_left);
         if (!is_straight(angle)) {
@@ -438,32 +429,29 @@ private:
 
   /// \name Straightening
   /// @{
-  template <class IsPinned>
-  void straighten(const Bend& bend, const IsPinned& is_pinned)
+  void straighten(const Bend& bend)
   {
     if (is_backtrack(bend.segment)) {
-      take_out_backtrack(bend, is_pinned);
+      take_out_backtrack(bend);
     } else if (m_path.next(bend.segment) == bend.segment) {
-      take_off_vertex(bend, is_pinned);
+      take_off_vertex(bend);
     } else {
-      pass_over_vertex(bend, is_pinned);
+      pass_over_vertex(bend);
     }
   }
 
-  template <class IsPinned>
-  void take_out_backtrack(const Bend& bend, const IsPinned& is_pinned)
+  void take_out_backtrack(const Bend& bend)
   {
     if (!m_path.are_side_by_side(bend.segment, m_path.next(bend.segment))) {
       m_blocked.push_back(bend);
       return;
     }
     m_arc.clear();
-    replace_segments_at(bend.segment, is_pinned);
+    replace_segments_at(bend.segment);
   }
 
   /// Takes the path over the vertex behind a segment to the far side of the faces within the angle.
-  template <class IsPinned>
-  void pass_over_vertex(const Bend& bend, const IsPinned& is_pinned)
+  void pass_over_vertex(const Bend& bend)
   {
     if (!is_clear(bend)) {
       m_blocked.push_back(bend);
@@ -478,7 +466,7 @@ private:
     const Index next = m_path.next(bend.segment);
     if (length <
         m_triangulation.length(m_path.halfedge(bend.segment)) + m_triangulation.length(m_path.halfedge(next))) {
-      replace_segments_at(bend.segment, is_pinned);
+      replace_segments_at(bend.segment);
     }
   }
 
@@ -506,14 +494,14 @@ private:
     Index h = m_triangulation.next_around_origin(first);
     while (h != last) {
       const Index t = m_triangulation.twin(h);
-      if (!m_triangulation.flip_if_convex(h)) {
+      if (!m_triangulation.flip(h)) {
         h = m_triangulation.next_around_origin(h);
         continue;
       }
       m_path.follow_flip(h, t);
       std::tie(first, last) = sides(bend.segment, bend.is_left);
       // The edge before may now be flippable.
-      const Index before = Triangulation::next(t);
+      const Index before = Triangle_halfedges::next(t);
       h = before == first ? m_triangulation.next_around_origin(first) : before;
     }
   }
@@ -524,7 +512,7 @@ private:
     const auto [first, last] = sides(bend.segment, bend.is_left);
     m_arc.clear();
     for (Index h = first; h != last; h = m_triangulation.next_around_origin(h)) {
-      const Index side = Triangulation::next(h);
+      const Index side = Triangle_halfedges::next(h);
       m_arc.push_back({bend.is_left ? m_triangulation.twin(side) : side, side});
     }
     if (bend.is_left) {
@@ -534,14 +522,13 @@ private:
 
   /// Takes a closed path of one segment off its vertex, on the side of `bend`: the path is led along the two other
   /// sides of the face there, and then taken over the vertex. It may be longer for a while, hence what it was is kept.
-  template <class IsPinned>
-  void take_off_vertex(const Bend& bend, const IsPinned& is_pinned)
+  void take_off_vertex(const Bend& bend)
   {
     const Index along = m_path.halfedge(bend.segment);
     const Index h = bend.is_left ? along : m_triangulation.twin(along);
-    const Index after = Triangulation::next(h);
-    const Index before = Triangulation::previous(h);
-    if (m_triangulation.are_twins(before, after)) {
+    const Index after = Triangle_halfedges::next(h);
+    const Index before = Triangle_halfedges::previous(h);
+    if (m_triangulation.twin(before) == after) {
       // The path goes round a single vertex, towards which it becomes ever shorter.
       m_is_collapsed = true;
       return;
@@ -556,14 +543,13 @@ private:
     } else {
       m_arc = {{after, after}, {before, before}};
     }
-    replace_segments_at(bend.segment, is_pinned);
+    replace_segments_at(bend.segment);
     const Index last = m_path.previous(m_first);
-    pass_over_vertex({0., last, m_path.version(last), bend.is_left}, is_pinned);
+    pass_over_vertex({0., last, m_path.version(last), bend.is_left});
   }
 
   /// Replaces a segment and the next one, which may be the same, by `m_arc`, and queues the bends that this makes.
-  template <class IsPinned>
-  void replace_segments_at(Index segment, const IsPinned& is_pinned)
+  void replace_segments_at(Index segment)
   {
     const Index next = m_path.next(segment);
     const Index before = m_path.previous(segment);
@@ -586,10 +572,10 @@ private:
       return;
     }
     if (!is_all && before != no_index) {
-      queue(before, is_pinned);
+      queue(before);
     }
     for (const Index added : m_added) {
-      queue(added, is_pinned);
+      queue(added);
     }
     for (const Bend& bend : m_blocked) {
       push(bend);
@@ -631,22 +617,21 @@ private:
       last = m_path.halfedge(segment);
       path.length += m_triangulation.length(last);
       path.points.push_back({m_triangulation.input_halfedge(last), 0.});
-      m_triangulation.trace(last, m_trace);
-      path.points.insert(path.points.end(), m_trace.crossings().begin(), m_trace.crossings().end());
+      const std::vector<Edge_crossing> crossings = m_triangulation.trace(last);
+      path.points.insert(path.points.end(), crossings.begin(), crossings.end());
     });
     if (!m_is_closed && last != no_index) {
       path.points.push_back({m_triangulation.input_halfedge(m_triangulation.twin(last)), 0.});
     }
   }
 
-  template <class IsPinned>
-  Shortening_outcome outcome(const IsPinned& is_pinned)
+  Shortening_outcome outcome()
   {
     Shortening_outcome result = m_is_collapsed ? Shortening_outcome::collapsed : Shortening_outcome::straight;
     for_each_segment([&](Index segment) {
       const bool is_end = m_path.next(segment) == no_index;
       if (!is_end && (!is_straight(angle_behind(segment, true)) || !is_straight(angle_behind(segment, false)))) {
-        if (!is_pinned(vertex_behind(segment))) {
+        if (!m_is_pinned(vertex_behind(segment))) {
           result = Shortening_outcome::unfinished;
         } else if (result == Shortening_outcome::straight) {
           result = Shortening_outcome::held;
@@ -664,13 +649,13 @@ private:
     Index side;
   };
 
-  Triangulation m_triangulation;
-  Edge_path<Triangulation> m_path;
+  Revertible_triangulation m_triangulation;
+  Edge_path m_path;
+  std::function<bool(Index)> m_is_pinned;
   std::vector<Bend> m_bends;   // a heap
   std::vector<Bend> m_blocked; // which other parts of the path are in the way of
   std::vector<Arc_edge> m_arc;
   std::vector<Index> m_added;
-  Edge_trace m_trace;
   Index m_first = 0; // segment of an open path, some segment of a closed one
   Index m_number_of_faces;
   double m_length = 0;

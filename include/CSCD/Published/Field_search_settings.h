@@ -14,49 +14,38 @@
 
 namespace CSCD::internal {
 
-/// When a vertex counts as a point of the cut locus; scale-free.
-struct Cut_criterion
-{
-  /// The scale-free Laplacian is at most this. Across a straight ridge where unit gradients meet at the angle a, it is
-  /// about -2.3 sin(a/2); elsewhere it is positive or small.
-  double laplacian_threshold = -0.5;
-  /// Gradients around the vertex run against each other at this angle at least, in radians.
-  double angle_threshold = boost::math::double_constants::third_pi;
-};
-
-/// When a vertex of a cloud counts as a point of the cut locus. The criterion is weaker than on a mesh, since means
-/// over neighbors round a ridge off. Chosen on samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube,
-/// random or even, with noise or without: of what passes, 99.8 % lies within two edges of the true cut locus (of
-/// single gradients 97.9 %, and 70 % on the worst cloud), and the cut locus where fronts meet at 60 degrees is near
-/// such a vertex everywhere. At a threshold of 60 degrees it is not (doc/cut_locus.md).
-constexpr Cut_criterion point_cut_criterion()
-{
-  return {-0.35, boost::math::double_constants::pi / 4};
-}
-
 /// How a cut locus is found; scale-free.
 struct Cut_locus_settings
 {
-  Cut_criterion criterion;
+  /// At a cut point the scale-free Laplacian is at most this. Across a straight ridge where unit gradients meet at the
+  /// angle a, it is about -2.3 sin(a/2); elsewhere it is positive or small.
+  double laplacian_threshold = -0.5;
+  /// Gradients around a cut point run against each other at this angle at least, in radians.
+  double angle_threshold = boost::math::double_constants::third_pi;
   /// Relative to the distance of the farthest point. Found by eye on a dozen meshes: with less, short branches of noise
   /// remain; with more, those of thin limbs such as fingers are lost.
   double minimum_branch_length = 0.03;
 };
 
-/// The settings that `np` gives, with `default_criterion` where it says nothing.
+/// The same on a cloud. The criterion is weaker than on a mesh, since means over neighbors round a ridge off. Chosen on
+/// samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube, random or even, with noise or without: of
+/// what passes, 99.8 % lies within two edges of the true cut locus (of single gradients 97.9 %, and 70 % on the worst
+/// cloud), and the cut locus where fronts meet at 60 degrees is near such a vertex everywhere. At a threshold of 60
+/// degrees it is not (doc/cut_locus.md).
+constexpr Cut_locus_settings point_cut_locus_settings()
+{
+  return {-0.35, boost::math::double_constants::pi / 4};
+}
+
+/// The settings that `np` gives, the `others` where it says nothing.
 template <class NamedParameters>
-Cut_locus_settings cut_locus_settings(const NamedParameters& np, const Cut_criterion& default_criterion)
+Cut_locus_settings cut_locus_settings(const NamedParameters& np, const Cut_locus_settings& others)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Cut_locus_settings settings;
-  settings.criterion.laplacian_threshold =
-      choose_parameter(get_parameter(np, internal_np::laplacian_threshold), default_criterion.laplacian_threshold);
-  settings.criterion.angle_threshold =
-      choose_parameter(get_parameter(np, internal_np::angle_threshold), default_criterion.angle_threshold);
-  settings.minimum_branch_length =
-      choose_parameter(get_parameter(np, internal_np::minimum_branch_length), settings.minimum_branch_length);
-  return settings;
+  return {choose_parameter(get_parameter(np, internal_np::laplacian_threshold), others.laplacian_threshold),
+          choose_parameter(get_parameter(np, internal_np::angle_threshold), others.angle_threshold),
+          choose_parameter(get_parameter(np, internal_np::minimum_branch_length), others.minimum_branch_length)};
 }
 
 } // namespace CSCD::internal

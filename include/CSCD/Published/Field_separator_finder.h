@@ -28,47 +28,17 @@
 
 namespace CSCD::internal {
 
-/// The locality constraint of appendix E.2: vertices outside of the smallest ball around the source that holds the
-/// curve are pinned. E.2 names no shape; the ball is that of F.2.
-class Locality_ball
-{
-public:
-  /// The ball around `center` that holds the origins of `halfedges`, those of `triangulation`. Linear.
-  /// \param points the positions of its vertices
-  template <class Triangulation>
-  Locality_ball(const Triangulation& triangulation, const std::vector<Vector3>& points, const Vector3& center,
-                const std::vector<Index>& halfedges)
-      : m_points(points), m_center(center)
-  {
-    for (const Index h : halfedges) {
-      m_squared_radius = std::max(m_squared_radius, (m_points[triangulation.origin(h)] - center).squaredNorm());
-    }
-    m_squared_radius *= margin * margin;
-  }
-
-  /// Whether `vertex` lies outside.
-  bool operator()(Index vertex) const { return (m_points[vertex] - m_center).squaredNorm() > m_squared_radius; }
-
-private:
-  /// How much larger the ball is, so that the outermost vertices of a curve are not on its sphere.
-  static constexpr double margin = 1.05;
-
-  const std::vector<Vector3>& m_points;
-  Vector3 m_center;
-  double m_squared_radius = 0;
-};
-
 /// Shortens closed curves by edge flips with the locality constraint (algorithm 3, appendix E). One object serves one
 /// thread.
 /// \tparam Surface a model of `SurfaceTriangulation`
-/// \tparam Triangulation curves are given on its edges: `Surface` or its `Intrinsic_triangulation`
-template <class Surface, class Triangulation = Intrinsic_triangulation<Surface>>
+template <class Surface>
 class Separator_flip_shortening
 {
 public:
-  /// Linear; both are referred to and must outlive this object.
-  Separator_flip_shortening(const Surface& surface, const Triangulation& triangulation)
-      : m_triangulation(triangulation), m_surface(surface), m_shortening(triangulation)
+  /// Linear. \param surface is referred to, as \param triangulation, an intrinsic one of it: curves are given on its
+  /// edges
+  Separator_flip_shortening(const Surface& surface, const Intrinsic_triangulation& triangulation)
+      : m_surface(surface), m_triangulation(triangulation), m_shortening(triangulation)
   {
   }
 
@@ -78,8 +48,14 @@ public:
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
     const std::vector<Vector3>& points = m_surface.points();
-    const Locality_ball ball(m_triangulation, points, points[source], halfedges);
-    const Shortening_outcome outcome = m_shortening(halfedges, true, ball, m_path);
+    const Vector3& center = points[source];
+    double squared_radius = 0;
+    for (const Index h : halfedges) {
+      squared_radius = std::max(squared_radius, (points[m_triangulation.origin(h)] - center).squaredNorm());
+    }
+    squared_radius *= ball_margin * ball_margin;
+    const auto is_outside = [&](Index vertex) { return (points[vertex] - center).squaredNorm() > squared_radius; };
+    const Shortening_outcome outcome = m_shortening(halfedges, true, is_outside, m_path);
     if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, m_crossings)) {
       return Shortening_outcome::collapsed;
     }
@@ -91,9 +67,14 @@ public:
   }
 
 private:
-  const Triangulation& m_triangulation;
+  /// The locality constraint of appendix E.2: vertices outside of the smallest ball around the source that holds the
+  /// curve are pinned. E.2 names no shape; the ball is that of F.2. It is so much larger that the outermost vertices of
+  /// a curve are not on its sphere.
+  static constexpr double ball_margin = 1.05;
+
   const Surface& m_surface;
-  Edge_flip_shortening<Surface> m_shortening;
+  const Intrinsic_triangulation& m_triangulation;
+  Edge_flip_shortening m_shortening;
   Surface_path m_path;
   std::vector<Edge_crossing> m_crossings;
   std::vector<Vector3> m_points;
@@ -151,12 +132,11 @@ private:
 /// The result of the search for the separator of one source by its distance field.
 struct Field_search_result
 {
-  Search_outcome outcome = Search_outcome::no_cut;
   /// `found`, or the reason why there is none.
   Cut_loop_outcome loop = Cut_loop_outcome::no_cut_point;
   /// Where a loop was found, how its shortening ended; `collapsed` otherwise.
   Shortening_outcome shortening = Shortening_outcome::collapsed;
-  Separator separator; ///< where one was found
+  Separator separator; ///< where a loop was found that did not collapse
 };
 
 /// Finds separators from distance fields as published (Alg. 3): cut points by the thresholds of Laplacian and gradient
@@ -171,22 +151,20 @@ public:
   /// The data behind the measures, prepared once for a surface.
   using Basis = typename Measures::Basis;
 
-  /// \param basis is referred to, as \param points, the positions of the vertices
-  /// \param settings which cut point is the target, and what cut points are
+  /// \param basis is referred to, as \param points, the positions of the vertices, and \param settings, which cut point is
+  ///        the target, and what cut points are
   /// \param domain, data what `Shortening` is constructed with
   template <class Domain, class Data>
   Field_separator_finder(const Basis& basis, const std::vector<Vector3>& points, const Field_search_settings& settings,
                          const Domain& domain, const Data& data)
-      : m_basis(basis), m_points(points), m_target_rule(settings.target_rule),
-        m_cut_locus_rule(settings.cut_locus_rule), m_loop_finder(Measures::frames_of(basis), points),
-        m_shorten(domain, data)
+      : m_basis(basis), m_points(points), m_settings(settings), m_cut_locus(Measures::default_settings()),
+        m_loop_finder(Measures::frames_of(basis), points), m_shorten(domain, data)
   {
-    const Cut_criterion criterion = Measures::default_criterion();
-    m_cut_locus.criterion = {settings.laplacian_threshold.value_or(criterion.laplacian_threshold),
-                             settings.angle_threshold.value_or(criterion.angle_threshold)};
-    m_has_handles = Measures::knows_loops && m_cut_locus_rule == Cut_locus_rule::tree &&
-                    has_handles(Measures::frames_of(basis).triangulation());
+    m_cut_locus.laplacian_threshold = settings.laplacian_threshold.value_or(m_cut_locus.laplacian_threshold);
+    m_cut_locus.angle_threshold = settings.angle_threshold.value_or(m_cut_locus.angle_threshold);
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
+    m_has_handles = Measures::knows_loops && settings.cut_locus_rule == Cut_locus_rule::tree &&
+                    has_handles(Measures::frames_of(basis).triangulation());
   }
   Field_separator_finder(const Field_separator_finder&) = delete;
   Field_separator_finder& operator=(const Field_separator_finder&) = delete;
@@ -197,13 +175,10 @@ public:
   void operator()(Index source, const std::vector<double>& distances, Field_search_result& result)
   {
     result.loop = find_loop(source, m_points[source], distances).outcome;
-    result.outcome = Search_outcome::no_cut;
     result.shortening = Shortening_outcome::collapsed;
     if (m_loop.outcome == Cut_loop_outcome::found) {
       result.separator.source = source;
       result.shortening = m_shorten(m_loop.halfedges, source, result.separator);
-      result.outcome =
-          result.shortening == Shortening_outcome::collapsed ? Search_outcome::degenerate : Search_outcome::found;
     }
   }
 
@@ -212,14 +187,14 @@ public:
   const Cut_loop& find_loop(Index source, const Vector3& source_point, const std::vector<double>& distances)
   {
     const Measures measures(m_basis, distances);
-    if (m_cut_locus_rule == Cut_locus_rule::tree) {
+    const auto find = [&](const auto& is_cut) {
+      m_loop_finder.find(measures, source, source_point, m_settings.target_rule, is_cut, m_loop);
+    };
+    if (m_settings.cut_locus_rule == Cut_locus_rule::tree) {
       const Cut_tree cut = find_cut_tree(measures, {source}, m_cut_locus, m_has_handles);
-      m_loop_finder.find(
-          measures, source, source_point, m_target_rule, [&](Index vertex) { return cut.is_kept(vertex); }, m_loop);
+      find([&](Index vertex) { return cut.is_kept(vertex); });
     } else {
-      m_loop_finder.find(
-          measures, source, source_point, m_target_rule,
-          [&](Index vertex) { return measures.is_cut(vertex, m_cut_locus.criterion); }, m_loop);
+      find([&](Index vertex) { return measures.is_cut(vertex, m_cut_locus); });
     }
     return m_loop;
   }
@@ -227,8 +202,7 @@ public:
 private:
   const Basis& m_basis;
   const std::vector<Vector3>& m_points;
-  Target_rule m_target_rule;
-  Cut_locus_rule m_cut_locus_rule;
+  const Field_search_settings& m_settings;
   Cut_locus_settings m_cut_locus;
   bool m_has_handles = false;
   Cut_loop_finder<Measures> m_loop_finder;
@@ -243,16 +217,13 @@ private:
 template <class Surface>
 class Field_search_space
 {
-  using Triangulation = Intrinsic_triangulation<Surface>;
-
 public:
-  using Finder = Field_separator_finder<Cut_locus_indicators<Triangulation>, Separator_flip_shortening<Surface>>;
+  using Finder = Field_separator_finder<Cut_locus_indicators, Separator_flip_shortening<Surface>>;
 
   /// \param surface is referred to and must outlive this object
   Field_search_space(const Surface& surface, const Field_search_settings& settings)
-      : m_surface(surface), m_settings(settings),
-        m_triangulation(make_intrinsic_delaunay(surface, surface.number_of_faces())), m_frames(m_triangulation),
-        m_heat_method(m_triangulation)
+      : m_surface(surface), m_settings(settings), m_triangulation(make_intrinsic_delaunay(surface)),
+        m_frames(m_triangulation), m_heat_method(m_triangulation)
   {
   }
   Field_search_space(const Field_search_space&) = delete;
@@ -260,7 +231,7 @@ public:
   ~Field_search_space() = default;
 
   const Heat_method& heat_method() const { return m_heat_method; }
-  const Triangulation& triangulation() const { return m_triangulation; }
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
   double mean_edge_length() const { return m_frames.mean_edge_length(); }
 
   /// Makes a finder, which refers to this object.
@@ -269,8 +240,8 @@ public:
 private:
   const Surface& m_surface;
   Field_search_settings m_settings;
-  Triangulation m_triangulation;
-  Tangent_frames<Triangulation> m_frames;
+  Intrinsic_triangulation m_triangulation;
+  Tangent_frames m_frames;
   Heat_method m_heat_method;
 };
 

@@ -7,6 +7,8 @@
 #define CSCD_PUBLISHED_HEAT_METHOD_H
 
 #include <CSCD/Published/Cotangent_elements.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 
@@ -16,6 +18,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <boost/align/aligned_allocator.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,27 +26,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// One number of each of `size` problems that are solved together, a power of two: 8 of them fill a cache line.
-template <std::size_t size>
-struct alignas(size * sizeof(double)) Simd_pack
-{
-  using Array = Eigen::Array<double, int(size), 1>;
+/// One number of each of so many problems that are solved together.
+template <std::size_t lanes>
+using Lanes = Eigen::Array<double, int(lanes), 1>;
 
-  auto array() { return Eigen::Map<Array, Eigen::Aligned>(values); }
-  auto array() const { return Eigen::Map<const Array, Eigen::Aligned>(values); }
-
-  double& operator[](std::size_t lane) { return values[lane]; }
-  double operator[](std::size_t lane) const { return values[lane]; }
-
-  double values[size];
-};
+/// One row for each vertex; none is in two cache lines, which 8 lanes fill.
+template <std::size_t lanes>
+using Lane_rows = std::vector<Lanes<lanes>, boost::alignment::aligned_allocator<Lanes<lanes>, sizeof(Lanes<lanes>)>>;
 
 /// The factors of symmetric positive definite matrices with a common pattern, for many right-hand sides.
 ///
@@ -88,27 +83,28 @@ public:
   /// Replaces the right-hand sides `x`, in the order of elimination, by the solutions for the matrix of this number.
   /// Linear in the number of nonzeros of the factor; the solutions of a lane do not depend on the other lanes.
   /// \pre `x.size() == size()`
-  template <std::size_t lanes>
-  void solve(std::size_t matrix, std::vector<Simd_pack<lanes>>& x) const
+  /// \tparam Rows `Lane_rows` of any number of lanes
+  template <class Rows>
+  void solve(std::size_t matrix, Rows& x) const
   {
     CGAL_precondition(x.size() == size());
     const double* value = m_factors[matrix].values.data();
     for (std::size_t column = 0; column < size(); ++column) {
-      const typename Simd_pack<lanes>::Array from = x[column].array();
+      const typename Rows::value_type from = x[column];
       // Right-hand sides with few entries reach few columns.
       if ((from != 0).any()) {
         for (std::size_t entry = m_column_begin[column]; entry < m_column_begin[column + 1]; ++entry) {
-          x[m_row[entry]].array() -= value[entry] * from;
+          x[m_row[entry]] -= value[entry] * from;
         }
       }
     }
     const double* inverse_pivot = m_factors[matrix].inverse_pivots.data();
     for (std::size_t column = size(); column-- > 0;) {
-      typename Simd_pack<lanes>::Array sum = inverse_pivot[column] * x[column].array();
+      typename Rows::value_type sum = inverse_pivot[column] * x[column];
       for (std::size_t entry = m_column_begin[column]; entry < m_column_begin[column + 1]; ++entry) {
-        sum -= value[entry] * x[m_row[entry]].array();
+        sum -= value[entry] * x[m_row[entry]];
       }
-      x[column].array() = sum;
+      x[column] = sum;
     }
   }
 
@@ -134,8 +130,7 @@ struct Geodesic_source
   /// The point in a face of `triangulation` with these barycentric coordinates with respect to the origins of the
   /// halfedges 3 `face`, 3 `face` + 1 and 3 `face` + 2.
   /// \pre the coordinates are not negative, and their sum is 1; the face carries area
-  template <class Triangulation>
-  static Geodesic_source in_face(const Triangulation& triangulation, Index face,
+  static Geodesic_source in_face(const Triangulated_surface& triangulation, Index face,
                                  const std::array<double, 3>& coordinates)
   {
     const std::array<double, 3> lengths{triangulation.length(3 * face), triangulation.length(3 * face + 1),
@@ -172,30 +167,29 @@ struct Heat_operators
   static constexpr std::size_t poisson = 1; ///< stiffness, pinned
 
   /// \param step_factor the duration of the heat flow, in squared mean edge lengths
-  Heat_operators(Cotangent_elements&& given_elements, double step_factor)
-      : elements(std::move(given_elements)),
+  /// \pre it is positive
+  Heat_operators(const Intrinsic_triangulation& triangulation, double step_factor)
+      : elements(triangulation),
         solver({elements.matrix(1 / step_factor, false), elements.matrix(0, true)},
                "the Laplacian of the surface cannot be factored: its triangles are too uneven; remesh it, for instance "
                "by CGAL::Polygon_mesh_processing::isotropic_remeshing")
   {
+    CGAL_precondition(step_factor > 0);
     faces.reserve(elements.faces().size());
     for (const Cotangent_elements::Face& face : elements.faces()) {
       faces.push_back({{solver.place(face.vertices[0]), solver.place(face.vertices[1]), solver.place(face.vertices[2])},
-                       face.face,
                        elements.component(face.vertices[0]),
                        face.layout});
     }
     const auto first_place = [](const Face& face) { return *std::min_element(face.places.begin(), face.places.end()); };
-    std::sort(faces.begin(), faces.end(), [&](const Face& a, const Face& b) {
-      return std::make_pair(first_place(a), a.face) < std::make_pair(first_place(b), b.face);
-    });
+    std::stable_sort(faces.begin(), faces.end(),
+                     [&](const Face& a, const Face& b) { return first_place(a) < first_place(b); });
   }
 
   /// A face of the elements, in the order of elimination.
   struct Face
   {
     std::array<Index, 3> places; ///< of its corners
-    Index face;                  ///< its number in the triangulation
     Index component;
     Face_layout layout;
   };
@@ -236,7 +230,7 @@ public:
   }
 
 private:
-  using Row = Simd_pack<lanes>;
+  using Row = Lanes<lanes>;
   using Face = Heat_operators::Face;
 
   /// The power of two below which heat is left to the next stage. Numbers still have full precision down to 2^-1022:
@@ -253,13 +247,11 @@ private:
     beyond ///< too little heat for this stage
   };
 
-  using Array = typename Row::Array;
-
   /// The direction of the heat flow in a face, where `largest` is large enough.
   struct Flow
   {
-    Array largest; ///< heat of a corner
-    Array x, y;
+    Row largest; ///< heat of a corner
+    Row x, y;
   };
 
   static double frontier() { return std::ldexp(1., frontier_exponent); }
@@ -270,9 +262,9 @@ private:
   void prepare()
   {
     const std::size_t n = elements().number_of_vertices();
-    m_heat.assign(n, Row{});
-    m_divergence.assign(n, Row{});
-    m_number_of_sources.assign(elements().number_of_components(), Row{});
+    m_heat.assign(n, Row::Zero());
+    m_divergence.assign(n, Row::Zero());
+    m_number_of_sources.assign(elements().number_of_components(), Row::Zero());
     m_left_lanes.assign(m_operators->faces.size(), all_lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
@@ -311,15 +303,15 @@ private:
   {
     // Keeps the zero vector where it is.
     constexpr double min_norm = std::numeric_limits<double>::min();
-    const Array heat_0 = m_heat[face.places[0]].array().abs();
-    const Array heat_1 = m_heat[face.places[1]].array().abs();
-    const Array heat_2 = m_heat[face.places[2]].array().abs();
+    const Row heat_0 = m_heat[face.places[0]].abs();
+    const Row heat_1 = m_heat[face.places[1]].abs();
+    const Row heat_2 = m_heat[face.places[2]].abs();
     Flow result;
     result.largest = heat_0.max(heat_1).max(heat_2);
-    const Array scale = 1 / result.largest.max(frontier());
-    const Array x = (heat_0 - heat_1) * scale * (1 / face.layout.base);
-    const Array y = ((heat_0 - heat_2) * scale - face.layout.apex_x * x) * (1 / face.layout.apex_y);
-    const Array inverse_norm = 1 / (x * x + y * y).sqrt().max(min_norm);
+    const Row scale = 1 / result.largest.max(frontier());
+    const Row x = (heat_0 - heat_1) * scale * (1 / face.layout.base);
+    const Row y = ((heat_0 - heat_2) * scale - face.layout.apex_x * x) * (1 / face.layout.apex_y);
+    const Row inverse_norm = 1 / (x * x + y * y).sqrt().max(min_norm);
     result.x = x * inverse_norm;
     result.y = y * inverse_norm;
     return result;
@@ -343,11 +335,11 @@ private:
         are_faces_left = are_faces_left || m_left_lanes[i] != 0;
       }
       const Face_layout& layout = face.layout;
-      const Array flux_1 = (layout.apex_y * result.x - layout.apex_x * result.y) * 0.5;
-      const Array flux_2 = layout.base * 0.5 * result.y;
-      m_divergence[face.places[0]].array() -= flux_1 + flux_2;
-      m_divergence[face.places[1]].array() += flux_1;
-      m_divergence[face.places[2]].array() += flux_2;
+      const Row flux_1 = (layout.apex_y * result.x - layout.apex_x * result.y) * 0.5;
+      const Row flux_2 = layout.base * 0.5 * result.y;
+      m_divergence[face.places[0]] -= flux_1 + flux_2;
+      m_divergence[face.places[1]] += flux_1;
+      m_divergence[face.places[2]] += flux_2;
     }
     return are_faces_left;
   }
@@ -357,10 +349,10 @@ private:
   {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const auto bit = std::uint8_t(1U << lane);
-      const bool has_heat = !(result.largest[int(lane)] < frontier());
+      const bool has_heat = !(result.largest[lane] < frontier());
       if ((left_lanes & bit) == 0 || !has_heat) {
-        result.x[int(lane)] = 0;
-        result.y[int(lane)] = 0;
+        result.x[lane] = 0;
+        result.y[lane] = 0;
       }
       if (has_heat || !is_reached(face.component, lane)) {
         left_lanes = std::uint8_t(left_lanes & ~bit);
@@ -399,7 +391,7 @@ private:
   /// \return false if no source is left
   bool set_frontier_sources()
   {
-    m_sources.assign(m_heat.size(), Row{});
+    m_sources.assign(m_heat.size(), Row::Zero());
     bool has_sources = false;
     for (const Face& face : m_operators->faces) {
       const std::array<double, 3> couplings = face.layout.couplings();
@@ -432,7 +424,7 @@ private:
   /// the sources.
   void write_distances()
   {
-    m_shifts.assign(elements().number_of_components(), Row{});
+    m_shifts.assign(elements().number_of_components(), Row::Zero());
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         add_shift(source, lane);
@@ -441,10 +433,9 @@ private:
     }
     for (Index v = 0; v < elements().number_of_vertices(); ++v) {
       const Index component = elements().component(v);
-      const typename Row::Array distance =
-          (m_divergence[place(v)].array() - m_shifts[component].array()) * elements().unit(component);
+      const Row distance = (m_divergence[place(v)] - m_shifts[component]) * elements().unit(component);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        (*m_distances[lane])[v] = is_reached(component, lane) ? distance[int(lane)] : infinity;
+        (*m_distances[lane])[v] = is_reached(component, lane) ? distance[lane] : infinity;
       }
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -472,12 +463,12 @@ private:
   std::array<const std::vector<Geodesic_source>*, lanes> m_source_sets{};
   std::array<std::vector<double>*, lanes> m_distances{};
   // Of every vertex, in the order of elimination:
-  std::vector<Row> m_heat;
-  std::vector<Row> m_divergence;
-  std::vector<Row> m_sources;
+  Lane_rows<lanes> m_heat;
+  Lane_rows<lanes> m_divergence;
+  Lane_rows<lanes> m_sources;
   std::vector<std::array<Zone, lanes>> m_zones;
-  std::vector<Row> m_number_of_sources;   // of every component
-  std::vector<Row> m_shifts;              // of every component
+  Lane_rows<lanes> m_number_of_sources;   // of every component
+  Lane_rows<lanes> m_shifts;              // of every component
   std::vector<std::uint8_t> m_left_lanes; // of every face, a bit for each that has had too little heat so far
 };
 
@@ -485,8 +476,8 @@ private:
 ///
 /// On Delaunay triangulations a distance is exact to a few tenths of an edge where the surface is smooth, and rounded
 /// off over two or three edges on ridges, where shortest paths from different sides meet. Other triangulations should
-/// be made Delaunay first. Accuracy does not degrade with distance. All members are const and may be called by
-/// several threads at once, each with its own workspace. Copies share the factors.
+/// be made Delaunay first. Accuracy does not degrade with distance. All members are const and may be called by several
+/// threads at once, each with its own workspace.
 class Heat_method
 {
 public:
@@ -494,22 +485,19 @@ public:
   static constexpr std::size_t batch_size = 8;
 
   /// Working memory, 200 bytes a vertex where batches are solved, reused from call to call.
-  class Workspace
+  struct Workspace
   {
-    friend class Heat_method;
-    Heat_batch<1> m_single;
-    Heat_batch<batch_size> m_batch;
+    Heat_batch<1> single;
+    Heat_batch<batch_size> batch;
   };
 
   /// Factors the equations of `triangulation`, which is not referred to later; O(n^1.5), and usually nearly linear.
-  /// \tparam Triangulation see `Cotangent_elements`
   /// \param time_step_factor the duration of the heat flow, in squared mean edge lengths of the component: more is
   ///        smoother and less exact
   /// \pre `time_step_factor` is positive
   /// \throw Input_error if the equations cannot be factored
-  template <class Triangulation>
-  explicit Heat_method(const Triangulation& triangulation, double time_step_factor = 1)
-      : Heat_method(Cotangent_elements(triangulation), time_step_factor)
+  explicit Heat_method(const Intrinsic_triangulation& triangulation, double time_step_factor = 1)
+      : m_operators(triangulation, time_step_factor)
   {
   }
 
@@ -519,7 +507,7 @@ public:
   void operator()(const std::vector<Geodesic_source>& sources, std::vector<double>& distances,
                   Workspace& workspace) const
   {
-    workspace.m_single(*m_operators, {&sources}, {&distances});
+    workspace.single(m_operators, {&sources}, {&distances});
   }
 
   /// Computes the distances from each of `source_sets` by itself, eight at a time, in about a third of the time.
@@ -546,28 +534,22 @@ public:
         batch_sets[lane] = &source_sets[i];
         batch_distances[lane] = &distances[i];
       }
-      workspace.m_batch(*m_operators, batch_sets, batch_distances);
+      workspace.batch(m_operators, batch_sets, batch_distances);
     }
   }
 
-  const Cotangent_elements& elements() const { return m_operators->elements; }
+  const Cotangent_elements& elements() const { return m_operators.elements; }
 
 private:
-  Heat_method(Cotangent_elements&& elements, double time_step_factor)
-      : m_operators(std::make_shared<const Heat_operators>(std::move(elements), time_step_factor))
-  {
-    CGAL_precondition(time_step_factor > 0);
-  }
-
-  std::shared_ptr<const Heat_operators> m_operators;
+  Heat_operators m_operators;
 };
 
 /// Estimates the distance of every vertex from the nearest one of `sources` by the heat method, for callers that ask
 /// once; infinite on components without a source, single vertices among them. O(n^1.5), and usually nearly linear.
-/// \tparam Triangulation Delaunay; see `Cotangent_elements`
+/// \param triangulation Delaunay
 /// \throw Input_error if the equations cannot be factored
-template <class Triangulation>
-std::vector<double> distances_from_vertices(const Triangulation& triangulation, const std::vector<Index>& sources)
+inline std::vector<double> distances_from_vertices(const Intrinsic_triangulation& triangulation,
+                                                   const std::vector<Index>& sources)
 {
   std::vector<Geodesic_source> geodesic_sources;
   geodesic_sources.reserve(sources.size());

@@ -20,6 +20,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -59,119 +62,6 @@ struct Flat_triangle
   double foot() const { return (base * base + (right - next) * (right + next)) / (2 * base); }
   /// The height over `base`.
   double height() const { return 2 * area() / base; }
-};
-
-/// The face of `halfedge`, seen from its origin.
-/// \tparam Triangulation has halfedges in the layout of `Triangulated_surface` and their lengths
-template <class Triangulation>
-Flat_triangle flat_triangle(const Triangulation& triangulation, Index halfedge)
-{
-  return {triangulation.length(halfedge), triangulation.length(Triangulation::next(halfedge)),
-          triangulation.length(Triangulation::previous(halfedge))};
-}
-
-/// The angle of the face of `halfedge` at its origin, by lengths alone.
-template <class Triangulation>
-double corner_angle(const Triangulation& triangulation, Index halfedge)
-{
-  return flat_triangle(triangulation, halfedge).angle();
-}
-
-/// By how much two sides of a triangle have to be longer, at least, than the third one, relative to the mean length of
-/// edges (Sharp, Crane: A Laplacian for nonmanifold triangle meshes, 2020, section 4.5).
-inline constexpr double min_slack = 1e-5;
-
-/// The minimal length that, added to all edges of the first `number_of_faces` faces of `triangulation`, keeps their
-/// triangles clear of the degenerate by `min_slack`; 0 for all but degenerate input. Linear.
-template <class Triangulation>
-double mollifying_length(const Triangulation& triangulation, Index number_of_faces)
-{
-  double sum = 0;
-  double least = 0; // of how much two sides are longer than the third one
-  for (Index h = 0; h < 3 * number_of_faces; ++h) {
-    const Flat_triangle triangle = flat_triangle(triangulation, h);
-    const double slack = triangle.next + triangle.right - triangle.base;
-    sum += triangle.base;
-    least = h == 0 ? slack : std::min(least, slack);
-  }
-  const double needed = number_of_faces == 0 ? 0. : min_slack * sum / (3. * double(number_of_faces));
-  return std::max(0., needed - least);
-}
-
-/// The edges that a straight line from vertex to vertex crosses, in order. Reuse one object.
-class Edge_trace
-{
-public:
-  /// Empty where the line runs along an edge.
-  const std::vector<Edge_crossing>& crossings() const { return m_crossings; }
-
-  void clear() { m_crossings.clear(); }
-  /// Adds the next edge to be crossed; `straighten()` finds where.
-  void cross(Index halfedge) { m_crossings.push_back({halfedge, 0.5}); }
-
-  /// Unfolds the faces along the line and sets the positions of all crossings. Linear.
-  /// \param corner the halfedge from the first vertex such that the line starts into its face
-  /// \pre the crossings are those of a line that starts so; each is in the face that the one before has entered
-  template <class Triangulation>
-  void straighten(const Triangulation& triangulation, Index corner)
-  {
-    if (m_crossings.empty()) {
-      return;
-    }
-    const Point end = unfold(triangulation, corner);
-    const auto side_of_line = [&end](const Point& p) { return end.x() * p.y() - end.y() * p.x(); };
-    for (std::size_t i = 0; i < m_crossings.size(); ++i) {
-      // The origin lies on the right of the line, the target on the left, except for rounding.
-      const double right = side_of_line(m_sides[i].origin);
-      const double left = side_of_line(m_sides[i].target);
-      const double position = left > right ? -right / (left - right) : 0.5;
-      m_crossings[i].position = std::clamp(position, end_margin, 1 - end_margin);
-    }
-  }
-
-private:
-  using Point = Eigen::Vector2d;
-
-  /// Crossings keep this distance from the ends of their edge, relative to its length, whatever rounding makes of them.
-  static constexpr double end_margin = 1e-9;
-
-  struct Unfolded_side
-  {
-    Point origin;
-    Point target;
-  };
-
-  /// Writes the unfolded edges to `m_sides`, the first vertex in the origin, and returns the last vertex.
-  template <class Triangulation>
-  Point unfold(const Triangulation& triangulation, Index corner)
-  {
-    const Flat_triangle first = flat_triangle(triangulation, corner);
-    Unfolded_side side{{first.base, 0}, {first.foot(), first.height()}};
-    m_sides.clear();
-    for (std::size_t i = 0;; ++i) {
-      m_sides.push_back(side);
-      const Index entered = triangulation.twin(m_crossings[i].halfedge);
-      Point apex = unfold_apex(flat_triangle(triangulation, entered), side);
-      if (i + 1 == m_crossings.size()) {
-        return apex;
-      }
-      if (m_crossings[i + 1].halfedge == Triangulation::next(entered)) {
-        side.target = apex;
-      } else {
-        side.origin = apex;
-      }
-    }
-  }
-
-  /// Where the apex of `triangle` lies, which is entered over `side`; its base runs from `target` to `origin`.
-  static Point unfold_apex(const Flat_triangle& triangle, const Unfolded_side& side)
-  {
-    const Point along = (side.origin - side.target) / triangle.base;
-    return side.target + triangle.foot() * along + triangle.height() * Point(-along.y(), along.x());
-  }
-
-  std::vector<Edge_crossing> m_crossings;
-  std::vector<Unfolded_side> m_sides;
 };
 
 /// The normal coordinate of an edge: the number of input edges that cross it, or `along_input_edge`.
@@ -236,95 +126,48 @@ inline Normal_coordinate flipped_coordinate(Normal_coordinate ij, Normal_coordin
   return left.around[2] + right.around[2] + across + at_ends + diagonal;
 }
 
-/// Two triangles on both sides of a common base.
-class Flat_diamond
-{
-public:
-  /// Unfolds `left`, and `right`, whose base is that of `left` in the other direction.
-  Flat_diamond(const Flat_triangle& left, const Flat_triangle& right)
-      : m_base(left.base), m_left_foot(left.foot()), m_left_height(left.height()),
-        m_right_foot(left.base - right.foot()), m_right_height(right.height())
-  {
-  }
-
-  /// Whether the other diagonal runs strictly inside, leaving on either side at least the part `margin` of the area.
-  bool is_convex(double margin) const
-  {
-    const double height = m_left_height + m_right_height;
-    if (!(height > 0)) {
-      return false;
-    }
-    const double crossing = (m_left_foot * m_right_height + m_right_foot * m_left_height) / height;
-    return crossing > margin * m_base && crossing < (1 - margin) * m_base;
-  }
-
-  /// The length of the other diagonal, if the diamond is convex.
-  double other_diagonal() const
-  {
-    const double along = m_left_foot - m_right_foot;
-    const double across = m_left_height + m_right_height;
-    return std::sqrt(along * along + across * across);
-  }
-
-private:
-  double m_base;
-  double m_left_foot;
-  double m_left_height;
-  double m_right_foot;
-  double m_right_height;
-};
-
-/// The two faces of the edge of `halfedge`, which must have two.
-template <class Triangulation>
-Flat_diamond flat_diamond(const Triangulation& triangulation, Index halfedge)
-{
-  return {flat_triangle(triangulation, halfedge), flat_triangle(triangulation, triangulation.twin(halfedge))};
-}
-
 /// An intrinsic triangulation of a surface. It begins with the vertices and faces of the input; its edges can be
 /// flipped. Edges are straight lines over the input. The stored data determine exactly, whatever rounding does to
 /// lengths, which input edges each edge crosses: its normal coordinate, and the input corner that each of its halfedges
 /// enters at its origin (Gillespie, Sharp, Crane: Integer coordinates for intrinsic geometry processing, 2021; their
 /// roundabouts, counted from the input halfedge before instead of after).
 ///
-/// It has the interface of `Triangulated_surface`, except that `twin()` is `no_index` on borders, and that edges may
-/// have equal ends or both ends in common: go by halfedges, never by pairs of vertices. It has only lengths. Degenerate
-/// faces are mollified: a constant is added to the lengths of all edges, see `mollifying_length()`. The input is
-/// referred to and must outlive the object.
-/// \tparam Triangulation the input: halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`
-///         (`no_index` on a border) and `length()`
-template <class Triangulation>
+/// It has the interface of `Triangulated_surface`, except that edges may have equal ends or both ends in common: go by
+/// halfedges, never by pairs of vertices. It has only lengths. Degenerate faces are mollified: a constant is added to
+/// the lengths of all edges. Copies share the input.
 class Intrinsic_triangulation : public Triangle_halfedges
 {
 public:
-  /// Takes over all faces of `input`. Linear.
+  /// Takes over all faces of `input`, which is not referred to later. Linear.
+  /// \tparam Triangulation halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()` (`no_index` on a
+  ///         border) and `length()`
+  template <class Triangulation>
   explicit Intrinsic_triangulation(const Triangulation& input) : Intrinsic_triangulation(input, input.number_of_faces())
   {
   }
 
-  /// Takes over the first `number_of_faces` faces of `input`; sides next to other faces become borders. So faces that
-  /// bridge borders, from `first_hole_filling_face()` on, can be left out; else they are ordinary faces. Linear.
+  /// The same, where lengths are mollified for the first `number_of_faces` faces only.
+  template <class Triangulation>
   Intrinsic_triangulation(const Triangulation& input, Index number_of_faces)
-      : Intrinsic_triangulation(input, number_of_faces, mollifying_length(input, number_of_faces))
+      : m_number_of_vertices(input.number_of_vertices())
   {
-  }
-
-  /// The same with a given length that is added to all edges.
-  Intrinsic_triangulation(const Triangulation& input, Index number_of_faces, double added_length)
-      : m_input(&input), m_added_length(added_length)
-  {
-    const Index number_of_halfedges = 3 * number_of_faces;
-    m_halfedges.reserve(number_of_halfedges);
-    for (Index h = 0; h < number_of_halfedges; ++h) {
-      const Index twin = input.twin(h);
-      m_halfedges.push_back({input.origin(h), twin < number_of_halfedges ? twin : no_index, h, along_input_edge,
-                             input.length(h) + added_length});
+    auto halfedges = std::make_shared<Input>();
+    for (Index h = 0; h < input.number_of_halfedges(); ++h) {
+      halfedges->twin.push_back(input.twin(h));
+      halfedges->length.push_back(input.length(h));
     }
+    const double added_length = mollifying_length(halfedges->length, 3 * number_of_faces);
+    m_halfedges.reserve(input.number_of_halfedges());
+    for (Index h = 0; h < input.number_of_halfedges(); ++h) {
+      halfedges->length[h] += added_length;
+      m_halfedges.push_back({input.origin(h), halfedges->twin[h], h, along_input_edge, halfedges->length[h]});
+    }
+    m_input = std::move(halfedges);
   }
 
   /// \name Combinatorics
   /// @{
-  Index number_of_vertices() const { return m_input->number_of_vertices(); }
+  Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return Index(m_halfedges.size()); }
   Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
 
@@ -333,15 +176,15 @@ public:
   /// `no_index` on a border.
   Index twin(Index halfedge) const { return m_halfedges[halfedge].twin; }
   bool is_border(Index halfedge) const { return twin(halfedge) == no_index; }
-  /// The halfedge that stands for the edge: the smaller one of the two.
-  Index edge(Index halfedge) const { return std::min(halfedge, twin(halfedge)); }
+  /// The next outgoing halfedge of the same origin, counterclockwise; `no_index` where a border comes before.
+  Index next_around_origin(Index halfedge) const { return twin(previous(halfedge)); }
   /// @}
 
   /// \name Geometry
   /// @{
   double length(Index halfedge) const { return m_halfedges[halfedge].length; }
   /// The angle of the face of `halfedge` at its origin.
-  double angle(Index halfedge) const { return corner_angle(*this, halfedge); }
+  double angle(Index halfedge) const { return triangle(halfedge).angle(); }
   /// @}
 
   /// \name Relation to the input
@@ -349,43 +192,18 @@ public:
   /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.
   Index input_halfedge(Index halfedge) const { return m_halfedges[halfedge].input_halfedge; }
 
-  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. Which ones is exact;
-  /// where, is exact up to rounding. O(k) for an edge that crosses k input edges which cross few edges themselves.
-  void trace(Index halfedge, Edge_trace& trace) const
+  /// The edges of the input that `halfedge` crosses, in order from its origin. Which ones is exact; where, is exact up
+  /// to rounding. O(k) for an edge that crosses k input edges which cross few edges themselves.
+  std::vector<Edge_crossing> trace(Index halfedge) const
   {
-    trace.clear();
+    std::vector<Edge_crossing> crossings;
     for (Normal_coordinate i = 0; i < m_halfedges[halfedge].coordinate; ++i) {
-      trace.cross(m_input->twin(left_input_halfedge(halfedge, i)));
+      crossings.push_back({m_input->twin[left_input_halfedge(halfedge, i)], 0.5});
     }
-    trace.straighten(Input_lengths{*m_input, m_added_length}, m_halfedges[halfedge].input_halfedge);
+    straighten(input_halfedge(halfedge), crossings);
+    return crossings;
   }
   /// @}
-
-  /// \name Flips
-  /// @{
-  /// Whether the edge has two faces that form a strictly convex quadrilateral.
-  bool is_flippable(Index halfedge) const
-  {
-    return !is_border(halfedge) && face(halfedge) != face(twin(halfedge)) &&
-           flat_diamond(*this, halfedge).is_convex(min_part);
-  }
-
-  /// Replaces the edge by the other diagonal of its two faces, in constant time plus the time of the walk over the
-  /// input edges in two corners.
-  /// The new edge is the edge of `previous(halfedge)`, which leads from the apex of the face of `halfedge` to the other
-  /// apex. The former `previous(halfedge)` is now `twin(halfedge)`, and the former `previous(twin(halfedge))` is now
-  /// `halfedge`, both with the twin before the flip. All other halfedges stay. \pre `is_flippable(halfedge)`
-  void flip(Index halfedge)
-  {
-    CGAL_precondition(is_flippable(halfedge));
-    replace_diagonal(halfedge, flat_diamond(*this, halfedge).other_diagonal());
-  }
-
-  /// Whether the angles opposite the edge sum up to at most pi, plus `delaunay_tolerance`.
-  bool is_delaunay(Index halfedge) const
-  {
-    return is_border(halfedge) || opposite_angles(halfedge) <= pi + delaunay_tolerance;
-  }
 
   /// Flips edges until all are Delaunay; the faces of edges that cannot be flipped have angles of pi up to rounding.
   /// Near linear in practice.
@@ -400,7 +218,7 @@ public:
       }
     };
     for (Index h = 0; h < number_of_halfedges(); ++h) {
-      if (!is_border(h) && edge(h) == h) {
+      if (h < twin(h) && !is_border(h)) {
         push(h);
       }
     }
@@ -408,7 +226,7 @@ public:
       const Index h = queue.back();
       queue.pop_back();
       is_queued[h] = 0;
-      if (is_delaunay(h) || !flip_if_better(h)) {
+      if (!flip_if_better(h)) {
         continue;
       }
       const Index t = next(twin(previous(h)));
@@ -417,11 +235,6 @@ public:
       }
     }
   }
-  /// @}
-
-  /// What the angles opposite an edge may exceed pi by, in radians: far more than rounding makes of cocircular
-  /// vertices, far less than would be felt in cotangents.
-  static constexpr double delaunay_tolerance = 1e-9;
 
 protected:
   struct Halfedge
@@ -433,43 +246,27 @@ protected:
     double length;
   };
 
-  std::vector<Halfedge> m_halfedges;
-
-private:
-  static constexpr double pi = boost::math::constants::pi<double>();
-  /// The least part of the area of a quadrilateral that a diagonal has to leave on either side.
-  static constexpr double min_part = 1e-9;
-
-  double opposite_angles(Index halfedge) const { return angle(previous(halfedge)) + angle(previous(twin(halfedge))); }
-
-  /// Flips a non-Delaunay edge, unless rounding lets the other diagonal look no better. \return whether it did
-  bool flip_if_better(Index halfedge)
+  /// The length of the other diagonal of the two faces of the edge, if that runs strictly inside, and leaves on either
+  /// side at least the part `min_part` of the area.
+  std::optional<double> other_diagonal(Index halfedge) const
   {
-    if (!is_flippable(halfedge)) {
-      return false;
+    if (is_border(halfedge) || face(halfedge) == face(twin(halfedge))) {
+      return std::nullopt;
     }
-    const Index t = twin(halfedge);
-    const double diagonal = flat_diamond(*this, halfedge).other_diagonal();
-    const Flat_triangle at_target{length(next(halfedge)), diagonal, length(previous(t))};
-    const Flat_triangle at_origin{length(next(t)), diagonal, length(previous(halfedge))};
-    if (at_target.angle() + at_origin.angle() >= pi) {
-      return false;
+    const Flat_triangle left = triangle(halfedge);
+    const Flat_triangle right = triangle(twin(halfedge));
+    const double left_foot = left.foot();
+    const double right_foot = left.base - right.foot();
+    const double left_height = left.height();
+    const double right_height = right.height();
+    const double height = left_height + right_height;
+    const double crossing = (left_foot * right_height + right_foot * left_height) / height;
+    if (!(height > 0 && crossing > min_part * left.base && crossing < (1 - min_part) * left.base)) {
+      return std::nullopt;
     }
-    replace_diagonal(halfedge, diagonal);
-    return true;
+    const double along = left_foot - right_foot;
+    return std::sqrt(along * along + height * height);
   }
-
-  /// The input with the lengths that count here.
-  struct Input_lengths
-  {
-    const Triangulation& input;
-    double added_length;
-
-    static Index next(Index halfedge) { return Triangulation::next(halfedge); }
-    static Index previous(Index halfedge) { return Triangulation::previous(halfedge); }
-    Index twin(Index halfedge) const { return input.twin(halfedge); }
-    double length(Index halfedge) const { return input.length(halfedge) + added_length; }
-  };
 
   /// Replaces the edge of `h`, from i to j in a face with apex k, by the edge from k to l, the other apex, whose
   /// halfedges are afterwards `previous(h)` and `previous(twin)`. The halfedge from k to i moves to `twin`, that from l
@@ -490,6 +287,119 @@ private:
     move_two(h_previous, t, t_previous, h);
     m_halfedges[h_previous] = {k, t_previous, leaving_corner(t, t_next, coordinate), coordinate, new_length};
     m_halfedges[t_previous] = {l, h_previous, leaving_corner(h, h_next, coordinate), coordinate, new_length};
+  }
+
+  std::vector<Halfedge> m_halfedges;
+
+private:
+  static constexpr double pi = boost::math::constants::pi<double>();
+  /// The least part of the area of a quadrilateral that a diagonal has to leave on either side.
+  static constexpr double min_part = 1e-9;
+
+  /// What the angles opposite an edge may exceed pi by, in radians: far more than rounding makes of cocircular
+  /// vertices, far less than would be felt in cotangents.
+  static constexpr double delaunay_tolerance = 1e-9;
+  /// By how much two sides of a triangle have to be longer, at least, than the third one, relative to the mean length
+  /// of edges (Sharp, Crane: A Laplacian for nonmanifold triangle meshes, 2020, section 4.5).
+  static constexpr double min_slack = 1e-5;
+  /// Crossings keep this distance from the ends of their edge, relative to its length, whatever rounding makes of them.
+  static constexpr double end_margin = 1e-9;
+
+  /// The halfedges of the input, with the lengths that count here.
+  struct Input
+  {
+    std::vector<Index> twin;
+    std::vector<double> length;
+  };
+
+  /// The minimal length that, added to all edges, keeps the triangles of the first halfedges clear of the degenerate by
+  /// `min_slack`; 0 for all but degenerate input. Linear.
+  static double mollifying_length(const std::vector<double>& length, Index number_of_halfedges)
+  {
+    double sum = 0;
+    double least = 0; // of how much two sides are longer than the third one
+    for (Index h = 0; h < number_of_halfedges; ++h) {
+      const double slack = length[next(h)] + length[previous(h)] - length[h];
+      sum += length[h];
+      least = h == 0 ? slack : std::min(least, slack);
+    }
+    const double needed = number_of_halfedges == 0 ? 0. : min_slack * sum / double(number_of_halfedges);
+    return std::max(0., needed - least);
+  }
+
+  /// The face of `halfedge`, seen from its origin.
+  Flat_triangle triangle(Index halfedge) const
+  {
+    return {length(halfedge), length(next(halfedge)), length(previous(halfedge))};
+  }
+  /// The same in the input.
+  Flat_triangle input_triangle(Index halfedge) const
+  {
+    return {m_input->length[halfedge], m_input->length[next(halfedge)], m_input->length[previous(halfedge)]};
+  }
+
+  /// Flips the edge if the angles opposite it exceed pi, unless it cannot be flipped or rounding lets the other
+  /// diagonal look no better. \return whether it did
+  bool flip_if_better(Index halfedge)
+  {
+    const Index t = twin(halfedge);
+    if (t == no_index || angle(previous(halfedge)) + angle(previous(t)) <= pi + delaunay_tolerance) {
+      return false;
+    }
+    const std::optional<double> diagonal = other_diagonal(halfedge);
+    if (!diagonal) {
+      return false;
+    }
+    const Flat_triangle at_target{length(next(halfedge)), *diagonal, length(previous(t))};
+    const Flat_triangle at_origin{length(next(t)), *diagonal, length(previous(halfedge))};
+    if (at_target.angle() + at_origin.angle() >= pi) {
+      return false;
+    }
+    replace_diagonal(halfedge, *diagonal);
+    return true;
+  }
+
+  using Point = Eigen::Vector2d;
+
+  /// An edge of the input in the plane.
+  struct Unfolded_side
+  {
+    Point origin;
+    Point target;
+  };
+
+  /// Unfolds the faces of the input along a straight line, which starts at the origin of `corner` into its face, and
+  /// sets the positions of all crossings. Linear.
+  /// \pre the crossings are those of such a line; each is in the face that the one before has entered
+  void straighten(Index corner, std::vector<Edge_crossing>& crossings) const
+  {
+    const Flat_triangle first = input_triangle(corner);
+    Unfolded_side side{{first.base, 0}, {first.foot(), first.height()}};
+    std::vector<Unfolded_side> sides;
+    Point end = Point::Zero(); // at last, of the line
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (i > 0) {
+        const Index entered = m_input->twin[crossings[i - 1].halfedge];
+        (crossings[i].halfedge == next(entered) ? side.target : side.origin) = end;
+      }
+      sides.push_back(side);
+      end = unfold_apex(input_triangle(m_input->twin[crossings[i].halfedge]), side);
+    }
+    const auto side_of_line = [&end](const Point& p) { return end.x() * p.y() - end.y() * p.x(); };
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      // The origin lies on the right of the line, the target on the left, except for rounding.
+      const double right = side_of_line(sides[i].origin);
+      const double left = side_of_line(sides[i].target);
+      const double position = left > right ? -right / (left - right) : 0.5;
+      crossings[i].position = std::clamp(position, end_margin, 1 - end_margin);
+    }
+  }
+
+  /// Where the apex of `triangle` lies, which is entered over `side`; its base runs from `target` to `origin`.
+  static Point unfold_apex(const Flat_triangle& triangle, const Unfolded_side& side)
+  {
+    const Point along = (side.origin - side.target) / triangle.base;
+    return side.target + triangle.foot() * along + triangle.height() * Point(-along.y(), along.x());
   }
 
   /// Moves two halfedges at a time. They may be twins of each other.
@@ -560,33 +470,22 @@ private:
   Index advance(Index halfedge, Normal_coordinate number) const
   {
     for (; number > 0; --number) {
-      halfedge = m_input->twin(Triangulation::previous(halfedge));
+      halfedge = m_input->twin[previous(halfedge)];
     }
     return halfedge;
   }
 
-  const Triangulation* m_input;
-  double m_added_length;
+  std::shared_ptr<const Input> m_input;
+  Index m_number_of_vertices;
 };
 
-/// Makes the intrinsic Delaunay triangulation of the first `number_of_faces` faces of `surface`, which is referred to.
+/// Makes the intrinsic Delaunay triangulation of `surface`, which is not referred to later.
 template <class Triangulation>
-Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulation& surface, Index number_of_faces)
+Intrinsic_triangulation make_intrinsic_delaunay(const Triangulation& surface)
 {
-  Intrinsic_triangulation<Triangulation> result(surface, number_of_faces);
+  Intrinsic_triangulation result(surface);
   result.make_delaunay();
   return result;
-}
-
-/// The same of the faces that are part of the surface: faces that fill holes, the last ones, are left out.
-template <class Triangulation>
-Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulation& surface)
-{
-  Index number_of_faces = surface.number_of_faces();
-  while (number_of_faces > 0 && is_hole_filling_face(surface, number_of_faces - 1)) {
-    --number_of_faces;
-  }
-  return make_intrinsic_delaunay(surface, number_of_faces);
 }
 
 } // namespace CSCD::internal

@@ -32,14 +32,14 @@ struct Distance_source
 class Prepared_distances
 {
 public:
-  /// Takes `use(i, distances)`, with the number of a set of sources and the distance of every vertex.
-  using Use = std::function<void(std::size_t, const std::vector<double>&)>;
+  /// Takes the distance of every vertex.
+  using Use = std::function<void(const std::vector<double>&)>;
 
   /// Prepares a triangulated surface, perhaps with borders; O(n^1.5), and usually nearly linear.
   /// \param pairing that of the faces of `triangles`, which are a manifold
   /// \param time_step_factor see `Heat_method`
   /// \throw Input_error if the triangles are too uneven to be computed with
-  Prepared_distances(Indexed_triangles&& triangles, const Halfedge_pairing& pairing, double time_step_factor);
+  Prepared_distances(Indexed_triangles&& triangles, Halfedge_pairing&& pairing, double time_step_factor);
 
   /// Prepares points, on the tufted cover of their complex; else as above.
   /// \throw Input_error if the points do not sample a surface

@@ -12,7 +12,6 @@
 #include <CSCD/Published/Prepared_distances.h>
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/close_surface.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,8 +20,8 @@ namespace CSCD::internal {
 
 struct Prepared_distances::Data
 {
-  Data(Triangulated_surface&& closed_surface, double time_step_factor)
-      : surface(std::move(closed_surface)), method(make_intrinsic_delaunay(surface), time_step_factor)
+  Data(Triangulated_surface&& given_surface, double time_step_factor)
+      : surface(std::move(given_surface)), method(make_intrinsic_delaunay(surface), time_step_factor)
   {
   }
   Data(const Point_complex& complex, double time_step_factor)
@@ -40,16 +39,10 @@ struct Prepared_distances::Data
   Heat_method method;
 };
 
-inline Triangulated_surface surface_with_bridged_borders(Indexed_triangles&& triangles, const Halfedge_pairing& pairing)
-{
-  bridge_borders(triangles, pairing);
-  return Triangulated_surface(std::move(triangles));
-}
-
-CSCD_INLINE Prepared_distances::Prepared_distances(Indexed_triangles&& triangles, const Halfedge_pairing& pairing,
+CSCD_INLINE Prepared_distances::Prepared_distances(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                                    double time_step_factor)
-    : m_data(
-          std::make_shared<const Data>(surface_with_bridged_borders(std::move(triangles), pairing), time_step_factor))
+    : m_data(std::make_shared<const Data>(Triangulated_surface(std::move(triangles), std::move(pairing)),
+                                          time_step_factor))
 {
 }
 
@@ -74,7 +67,7 @@ CSCD_INLINE void Prepared_distances::estimate_each(const std::vector<std::vector
     }
     m_data->method(batch, distances, workspace);
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      use(begin + i, distances[i]);
+      use(distances[i]);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Heat_method.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
@@ -167,7 +168,8 @@ public:
   using Level_space = Field_search_space<Triangulated_surface>;
 
   /// \param levels is referred to and must outlive this object
-  Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings) : m_levels(levels)
+  Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings)
+      : m_levels(levels), m_finest_triangulation(levels.finest().surface)
   {
     for (Index level = finest_level(); level <= coarsest_level(); ++level) {
       m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings));
@@ -175,6 +177,8 @@ public:
   }
 
   const Surface_levels& levels() const { return m_levels; }
+  /// That of the finest surface, not flipped.
+  const Intrinsic_triangulation& finest_triangulation() const { return m_finest_triangulation; }
   /// The coarsest level that has distances.
   Index coarsest_level() const { return m_levels.finest_with_at_most(coarsest_size); }
   /// The finest level that has distances.
@@ -188,6 +192,7 @@ private:
   static constexpr Index coarsest_size = 6000;
 
   const Surface_levels& m_levels;
+  Intrinsic_triangulation m_finest_triangulation;
   std::vector<std::unique_ptr<const Level_space>> m_spaces;
 };
 
@@ -201,7 +206,7 @@ public:
   /// \param space is referred to
   explicit Multiscale_group_search(const Multiscale_search_space& space)
       : m_space(space), m_levels(space.levels()), m_projection(m_levels),
-        m_shorten(m_levels.finest().surface, m_levels.finest().surface)
+        m_shorten(m_levels.finest().surface, space.finest_triangulation())
   {
     for (Index level = space.finest_level(); level <= space.coarsest_level(); ++level) {
       m_finders.push_back(std::make_unique<Finder>(space[level]));
@@ -268,7 +273,6 @@ private:
         continue;
       }
       result.loop = loop.outcome;
-      result.outcome = Search_outcome::no_cut;
       result.shortening = Shortening_outcome::collapsed;
       if (is_found) {
         shorten_on_finest(level, loop.halfedges, group.sources[m_pending[k]], result);
@@ -363,16 +367,14 @@ private:
         result.shortening = m_shorten(m_halfedges, source, result.separator);
       }
     }
-    result.outcome =
-        result.shortening == Shortening_outcome::collapsed ? Search_outcome::degenerate : Search_outcome::found;
   }
 
   const Multiscale_search_space& m_space;
   const Surface_levels& m_levels;
   std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
   Loop_projection m_projection;
-  Separator_flip_shortening<Triangulated_surface, Triangulated_surface> m_shorten; ///< on the finest level
-  std::vector<std::size_t> m_pending;                                              ///< places in the group
+  Separator_flip_shortening<Triangulated_surface> m_shorten; ///< on the finest level
+  std::vector<std::size_t> m_pending;                        ///< places in the group
   std::vector<Level_source> m_level_sources;
   std::vector<std::vector<Geodesic_source>> m_source_sets;
   std::vector<std::vector<double>> m_distances;
@@ -484,15 +486,15 @@ private:
   {
     for (const Field_search_result& result : group.results) {
       ++report.number_of_sources;
-      if (result.outcome == Search_outcome::found) {
+      if (result.loop != Cut_loop_outcome::found) {
+        ++report.number_of_sources_without_cut;
+        ++report.number_of_rejections[std::size_t(result.loop)];
+      } else if (result.shortening == Shortening_outcome::collapsed) {
+        ++report.number_of_collapsed_loops;
+      } else {
         separators.push_back(result.separator);
         report.number_of_held_loops += result.shortening == Shortening_outcome::held ? 1 : 0;
         report.number_of_unfinished_loops += result.shortening == Shortening_outcome::unfinished ? 1 : 0;
-      } else if (result.outcome == Search_outcome::degenerate) {
-        ++report.number_of_collapsed_loops;
-      } else {
-        ++report.number_of_sources_without_cut;
-        ++report.number_of_rejections[std::size_t(result.loop)];
       }
     }
   }

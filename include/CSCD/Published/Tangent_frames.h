@@ -36,14 +36,6 @@ inline constexpr double area_of_unit_spacing = 0.8660254037844386;
 /// A polar frame at every vertex, where vectors are complex numbers: angles between the edges around a vertex are
 /// scaled to add up to a full turn; on a border they stay as they are. The first outgoing halfedge points along the
 /// real axis.
-///
-/// \tparam Triangulation halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise. It has the members
-///         `number_of_vertices()`, `number_of_halfedges()`, `number_of_faces()`, static `next(h)`, `previous(h)` and
-///         `face(h)`, and `origin(h)`, `target(h)`, `twin(h)`, which is `no_index` on a border, and `length(h)`: so it
-///         may be intrinsic, with several edges between two vertices, and edges from a vertex to itself. The faces
-///         around each vertex form one fan. A face is not part of the surface if the optional member
-///         `is_hole_filling(f)` holds.
-template <class Triangulation>
 class Tangent_frames
 {
 public:
@@ -54,13 +46,13 @@ public:
   {
     double length = 0; ///< of the halfedge
     double cosine = 1; ///< of the angle at its origin
-    double sine = 0;   ///< 0 if the face has no area or fills a hole, and is to be ignored
+    double sine = 0;   ///< 0 if the face has no area, and is to be ignored
     Complex turn = 1;  ///< turns a vector of the face, seen from the halfedge, into the frame of the origin
   };
 
   /// Computes all frames; linear.
   /// \param triangulation is referred to and must outlive this object
-  explicit Tangent_frames(const Triangulation& triangulation)
+  explicit Tangent_frames(const Intrinsic_triangulation& triangulation)
       : m_triangulation(triangulation), m_corners(triangulation.number_of_halfedges()),
         m_direction(triangulation.number_of_halfedges(), 0), m_first(triangulation.number_of_vertices(), no_index),
         m_scale(triangulation.number_of_vertices(), 1), m_area(triangulation.number_of_vertices(), 0)
@@ -68,17 +60,17 @@ public:
     measure_corners();
     for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
       Index& first = m_first[triangulation.origin(h)];
-      if (first == no_index) {
-        first = first_of_fan(h);
+      if (first == no_index || triangulation.is_border(h)) {
+        first = h;
       }
     }
     for (Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
       lay_out(vertex);
     }
   }
-  explicit Tangent_frames(Triangulation&&) = delete;
+  explicit Tangent_frames(Intrinsic_triangulation&&) = delete;
 
-  const Triangulation& triangulation() const { return m_triangulation; }
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
   const Corner& corner(Index halfedge) const { return m_corners[halfedge]; }
   double length(Index halfedge) const { return m_corners[halfedge].length; }
   /// A third of the area of the faces around `vertex`.
@@ -94,7 +86,7 @@ public:
     Index halfedge = first;
     while (halfedge != no_index) {
       function(halfedge);
-      halfedge = next_around_origin(halfedge);
+      halfedge = m_triangulation.next_around_origin(halfedge);
       if (halfedge == first) {
         break;
       }
@@ -139,26 +131,16 @@ public:
   }
 
 private:
-  Index next_around_origin(Index halfedge) const { return m_triangulation.twin(m_triangulation.previous(halfedge)); }
   double angle(Index halfedge) const { return std::atan2(m_corners[halfedge].sine, m_corners[halfedge].cosine); }
-  bool is_hole_filling(Index halfedge) const
-  {
-    return is_hole_filling_face(m_triangulation, m_triangulation.face(halfedge));
-  }
-
   void measure_corners()
   {
     double sum = 0;
-    std::size_t number = 0;
     for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
       m_corners[h].length = m_triangulation.length(h);
-      if (!is_hole_filling(h)) {
-        sum += m_corners[h].length;
-        ++number;
-        measure_corner(h);
-      }
+      sum += m_corners[h].length;
+      measure_corner(h);
     }
-    m_mean_edge_length = number > 0 ? sum / double(number) : 0;
+    m_mean_edge_length = m_corners.empty() ? 0 : sum / double(m_corners.size());
   }
 
   void measure_corner(Index h)
@@ -179,35 +161,12 @@ private:
     m_area[m_triangulation.origin(h)] += area / 3;
   }
 
-  /// The halfedge at which the fan around the origin of `halfedge` begins: the first after a border or, where that is
-  /// bridged, after the hole-filling faces; else `halfedge` itself.
-  Index first_of_fan(Index halfedge) const
-  {
-    Index at = halfedge;
-    do {
-      const Index twin = m_triangulation.twin(at);
-      if (twin == no_index) {
-        return at;
-      }
-      const Index before = m_triangulation.next(twin);
-      if (is_hole_filling(before) && !is_hole_filling(at)) {
-        return at;
-      }
-      at = before;
-    } while (at != halfedge);
-    return halfedge;
-  }
-
   void lay_out(Index vertex)
   {
     double sum = 0;
-    bool is_closed = true;
-    for_each_outgoing(vertex, [&](Index h) {
-      sum += angle(h);
-      is_closed = is_closed && !is_hole_filling(h) && m_triangulation.twin(h) != no_index;
-    });
+    for_each_outgoing(vertex, [&](Index h) { sum += angle(h); });
     double& scale = m_scale[vertex];
-    scale = is_closed && sum > 0 ? boost::math::double_constants::two_pi / sum : 1;
+    scale = sum > 0 && !m_triangulation.is_border(m_first[vertex]) ? boost::math::double_constants::two_pi / sum : 1;
     double direction = 0;
     for_each_outgoing(vertex, [&](Index h) {
       const double own = angle(h);
@@ -218,7 +177,7 @@ private:
     });
   }
 
-  const Triangulation& m_triangulation;
+  const Intrinsic_triangulation& m_triangulation;
   std::vector<Corner> m_corners;
   std::vector<double> m_direction;
   std::vector<Index> m_first;
