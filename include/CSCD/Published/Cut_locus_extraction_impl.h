@@ -34,8 +34,8 @@ Extracted_cut_locus<Location> extract_cut_locus_on(const Indicators& indicators,
   const Cut_tree cut = find_cut_tree(indicators, sources, settings);
   const Org_tree& tree = cut.tree();
   Extracted_cut_locus<Location> result;
-  std::vector<Index> number(tree.size(), no_index);
-  for (const Index vertex : tree.order()) {
+  std::vector<Index> number(tree.parent.size(), no_index);
+  for (const Index vertex : tree.order) {
     if (cut.is_kept(vertex)) {
       number[vertex] = Index(result.vertices.size());
       result.vertices.push_back(at_vertex(vertex));
@@ -51,9 +51,9 @@ Extracted_cut_locus<Location> extract_cut_locus_on(const Indicators& indicators,
     });
     result.edges.emplace_back(last, number[triangulation.target(halfedge)]);
   };
-  for (const Index vertex : tree.order()) {
+  for (const Index vertex : tree.order) {
     if (cut.is_kept(vertex) && !cut.is_root(vertex)) {
-      add_curve(tree.halfedge_to_parent(vertex));
+      add_curve(tree.halfedge[vertex]);
     }
   }
   for (const Index halfedge : cut.chords()) {

@@ -32,95 +32,69 @@ namespace CSCD::internal {
 /// neighbors that are free. So it runs along the ridges first, and the cut locus becomes long chains from the root,
 /// while everything else hangs on them as short twigs. Vertices on loops of the cut locus, if these are known, come
 /// before all others: so the tree runs along the loops.
-class Org_tree
+struct Org_tree
 {
-public:
-  /// Grows the tree; O(n log n) for n vertices.
-  /// \param measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators` of a point complex
-  /// \param is_on_loop for every vertex
-  template <class Measures>
-  Org_tree(const Measures& measures, const std::vector<char>& is_on_loop)
-      : m_laplacian(measures.distances().size(), 0), m_parent(measures.distances().size(), no_index),
-        m_halfedge(measures.distances().size(), no_index)
-  {
-    std::vector<Index> by_distance;
-    for (Index vertex = 0; vertex < m_parent.size(); ++vertex) {
-      if (measures.is_reached(vertex)) {
-        m_laplacian[vertex] =
-            is_on_loop[vertex] ? -std::numeric_limits<double>::infinity() : measures.laplacian(vertex);
-        by_distance.push_back(vertex);
-      }
-    }
-    grow_from_farthest(measures, by_distance);
-  }
-
-  /// The number of vertices of the surface.
-  std::size_t size() const { return m_parent.size(); }
-  /// The farthest vertices of the components.
-  const std::vector<Index>& roots() const { return m_roots; }
-  /// All vertices of the tree, parents before children.
-  const std::vector<Index>& order() const { return m_order; }
-  /// `no_index` for roots, and for vertices that are not in the tree.
-  Index parent(Index vertex) const { return m_parent[vertex]; }
-  /// A halfedge between `vertex` and its parent, in either direction.
-  Index halfedge_to_parent(Index vertex) const { return m_halfedge[vertex]; }
-  /// The scale-free Laplacian; minus infinity on a loop.
-  double laplacian(Index vertex) const { return m_laplacian[vertex]; }
-  bool is_on_loop(Index vertex) const { return std::isinf(m_laplacian[vertex]); }
-
-private:
-  template <class Measures>
-  void grow_from_farthest(const Measures& measures, std::vector<Index>& by_distance)
-  {
-    // The farthest vertex of each component is the first of it to come.
-    const auto is_nearer = [&](Index a, Index b) {
-      return std::pair(measures.distance(a), b) < std::pair(measures.distance(b), a);
-    };
-    std::vector<char> is_attached(m_parent.size(), 0);
-    std::make_heap(by_distance.begin(), by_distance.end(), is_nearer);
-    for (auto end = by_distance.end(); end != by_distance.begin(); --end) {
-      const Index vertex = by_distance.front();
-      if (!is_attached[vertex]) {
-        m_roots.push_back(vertex);
-        grow(measures, vertex, is_attached);
-      }
-      if (m_order.size() == by_distance.size()) {
-        break;
-      }
-      std::pop_heap(by_distance.begin(), end, is_nearer);
-    }
-  }
-
-  template <class Measures>
-  void grow(const Measures& measures, Index root, std::vector<char>& is_attached)
-  {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const auto attach = [&](Index vertex) {
-      is_attached[vertex] = 1;
-      m_order.push_back(vertex);
-      queue.emplace(m_laplacian[vertex], vertex);
-    };
-    attach(root);
-    while (!queue.empty()) {
-      const Index vertex = queue.top().second;
-      queue.pop();
-      measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-        if (!is_attached[neighbor] && measures.is_reached(neighbor)) {
-          m_parent[neighbor] = vertex;
-          m_halfedge[neighbor] = halfedge;
-          attach(neighbor);
-        }
-      });
-    }
-  }
-
-  std::vector<double> m_laplacian;
-  std::vector<Index> m_parent;
-  std::vector<Index> m_halfedge;
-  std::vector<Index> m_order;
-  std::vector<Index> m_roots;
+  std::vector<double> laplacian; ///< of every vertex, scale-free; minus infinity on a loop
+  std::vector<Index> parent;     ///< `no_index` for roots, and for vertices that are not in the tree
+  std::vector<Index> halfedge;   ///< between a vertex and its parent, in either direction
+  std::vector<Index> order;      ///< all vertices of the tree, parents before children
+  std::vector<Index> roots;      ///< the farthest vertices of the components
 };
+
+/// Adds the tree of the component of `root` to `tree`.
+template <class Measures>
+void grow_tree(const Measures& measures, Index root, std::vector<char>& is_attached, Org_tree& tree)
+{
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto attach = [&](Index vertex) {
+    is_attached[vertex] = 1;
+    tree.order.push_back(vertex);
+    queue.emplace(tree.laplacian[vertex], vertex);
+  };
+  tree.roots.push_back(root);
+  attach(root);
+  while (!queue.empty()) {
+    const Index vertex = queue.top().second;
+    queue.pop();
+    measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+      if (!is_attached[neighbor] && measures.is_reached(neighbor)) {
+        tree.parent[neighbor] = vertex;
+        tree.halfedge[neighbor] = halfedge;
+        attach(neighbor);
+      }
+    });
+  }
+}
+
+/// Grows the ORG tree; O(n log n) for n vertices.
+/// \param measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators` of a point complex
+/// \param is_on_loop for every vertex
+template <class Measures>
+Org_tree grow_org_tree(const Measures& measures, const std::vector<char>& is_on_loop)
+{
+  const std::size_t size = is_on_loop.size();
+  Org_tree tree{
+      std::vector<double>(size, 0), std::vector<Index>(size, no_index), std::vector<Index>(size, no_index), {}, {}};
+  std::vector<Index> by_distance;
+  for (Index vertex = 0; vertex < size; ++vertex) {
+    if (measures.is_reached(vertex)) {
+      tree.laplacian[vertex] =
+          is_on_loop[vertex] ? -std::numeric_limits<double>::infinity() : measures.laplacian(vertex);
+      by_distance.push_back(vertex);
+    }
+  }
+  std::sort(by_distance.begin(), by_distance.end(),
+            [&](Index a, Index b) { return std::pair(measures.distance(b), a) < std::pair(measures.distance(a), b); });
+  std::vector<char> is_attached(size, 0);
+  // The farthest vertex of each component is the first of it to come.
+  for (const Index vertex : by_distance) {
+    if (!is_attached[vertex]) {
+      grow_tree(measures, vertex, is_attached, tree);
+    }
+  }
+  return tree;
+}
 
 /// An ORG tree, a subtree of each of its trees with the root, and chords that close loops.
 /// Vertices are added below kept ones, and removed at the leaves.
@@ -129,10 +103,10 @@ class Cut_tree
 public:
   /// Keeps the roots of `tree`; linear.
   explicit Cut_tree(Org_tree&& tree)
-      : m_tree(std::move(tree)), m_is_kept(m_tree.size(), 0), m_is_protected(m_is_kept),
+      : m_tree(std::move(tree)), m_is_kept(m_tree.parent.size(), 0), m_is_protected(m_is_kept),
         m_number_of_children(m_is_kept.size(), 0)
   {
-    for (Index root : m_tree.roots()) {
+    for (Index root : m_tree.roots) {
       m_is_kept[root] = 1;
       m_is_protected[root] = 1;
     }
@@ -142,7 +116,7 @@ public:
   bool is_kept(Index vertex) const { return m_is_kept[vertex] != 0; }
   /// Whether `vertex` may not be removed: a root, or part of a loop or of its path to the root.
   bool is_protected(Index vertex) const { return m_is_protected[vertex] != 0; }
-  bool is_root(Index vertex) const { return m_tree.parent(vertex) == no_index; }
+  bool is_root(Index vertex) const { return m_tree.parent[vertex] == no_index; }
   /// The number of children that are kept.
   Index number_of_children(Index vertex) const { return m_number_of_children[vertex]; }
   /// Whether `vertex` is kept and can be removed.
@@ -154,9 +128,9 @@ public:
   /// Keeps `vertex` and all that are between it and kept ones.
   void keep(Index vertex)
   {
-    for (; !is_kept(vertex); vertex = m_tree.parent(vertex)) {
+    for (; !is_kept(vertex); vertex = m_tree.parent[vertex]) {
       m_is_kept[vertex] = 1;
-      ++m_number_of_children[m_tree.parent(vertex)];
+      ++m_number_of_children[m_tree.parent[vertex]];
     }
   }
 
@@ -166,7 +140,7 @@ public:
   {
     CGAL_precondition(is_free_leaf(vertex));
     m_is_kept[vertex] = 0;
-    --m_number_of_children[m_tree.parent(vertex)];
+    --m_number_of_children[m_tree.parent[vertex]];
   }
 
   /// Joins the ends `a` and `b` of `halfedge` by a chord, keeps both, and protects their paths to the root.
@@ -175,7 +149,7 @@ public:
     m_chords.push_back(halfedge);
     for (Index vertex : {a, b}) {
       keep(vertex);
-      for (; vertex != no_index && !is_protected(vertex); vertex = m_tree.parent(vertex)) {
+      for (; vertex != no_index && !is_protected(vertex); vertex = m_tree.parent[vertex]) {
         m_is_protected[vertex] = 1;
       }
     }
@@ -204,13 +178,13 @@ void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
     double sum = 0;
     Index vertex = leaf;
     do {
-      sum += length(tree.halfedge_to_parent(vertex));
-      vertex = tree.parent(vertex);
+      sum += length(tree.halfedge[vertex]);
+      vertex = tree.parent[vertex];
     } while (!ends_at(vertex) && sum < min_length);
     return sum;
   };
   std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
-  for (Index vertex : tree.order()) {
+  for (Index vertex : tree.order) {
     if (cut.is_free_leaf(vertex)) {
       queue.emplace(branch_length(vertex), vertex);
     }
@@ -223,7 +197,7 @@ void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
       queue.emplace(current_length, leaf);
       continue;
     }
-    for (Index vertex = leaf; cut.is_free_leaf(vertex); vertex = tree.parent(vertex)) {
+    for (Index vertex = leaf; cut.is_free_leaf(vertex); vertex = tree.parent[vertex]) {
       cut.remove(vertex);
     }
   }
@@ -235,13 +209,13 @@ template <class Frames>
 bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
 {
   const Org_tree& tree = cut.tree();
-  const Index parent = tree.parent(leaf);
+  const Index parent = tree.parent[leaf];
   bool result = false;
   frames.for_each_neighbor(leaf, [&](Index neighbor, Index) {
-    if (neighbor == leaf || neighbor == parent || !cut.is_kept(neighbor) || tree.parent(neighbor) == parent) {
+    if (neighbor == leaf || neighbor == parent || !cut.is_kept(neighbor) || tree.parent[neighbor] == parent) {
       return;
     }
-    const bool is_weaker = std::pair(tree.laplacian(leaf), leaf) > std::pair(tree.laplacian(neighbor), neighbor);
+    const bool is_weaker = std::pair(tree.laplacian[leaf], leaf) > std::pair(tree.laplacian[neighbor], neighbor);
     result = result || cut.number_of_children(neighbor) > 0 || cut.is_protected(neighbor) || is_weaker;
   });
   return result;
@@ -253,14 +227,14 @@ template <class Frames>
 void thin_branches(const Frames& frames, Cut_tree& cut)
 {
   std::vector<Index> queue;
-  for (Index vertex : cut.tree().order()) {
+  for (Index vertex : cut.tree().order) {
     if (cut.is_free_leaf(vertex)) {
       queue.push_back(vertex);
     }
   }
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (is_beside_branch(frames, cut, queue[i])) {
-      const Index parent = cut.tree().parent(queue[i]);
+      const Index parent = cut.tree().parent[queue[i]];
       cut.remove(queue[i]);
       if (cut.is_free_leaf(parent)) {
         queue.push_back(parent);
@@ -269,133 +243,81 @@ void thin_branches(const Frames& frames, Cut_tree& cut)
   }
 }
 
+/// One face of each group of neighbors among `sources`.
+inline std::vector<Index> faces_of_sources(const Cut_locus_indicators& measures, const std::vector<Index>& sources)
+{
+  const Tangent_frames& frames = measures.frames();
+  std::vector<char> is_source(frames.triangulation().number_of_vertices(), 0);
+  for (const Index source : sources) {
+    is_source[source] = 1;
+  }
+  Disjoint_sets groups(is_source.size());
+  for (const Index source : sources) {
+    frames.for_each_neighbor(source, [&](Index neighbor, Index) {
+      if (is_source[neighbor]) {
+        groups.join(source, neighbor);
+      }
+    });
+  }
+  std::vector<Index> faces;
+  for (const Index source : sources) {
+    char& is_new = is_source[groups.find(source)];
+    Index face = no_index;
+    frames.for_each_outgoing(source, [&](Index h) { face = std::min(face, Triangle_halfedges::face(h)); });
+    if (is_new && face != no_index) {
+      faces.push_back(face);
+    }
+    is_new = 0;
+  }
+  return faces;
+}
+
 /// Unites the faces of a triangulation across its edges in order of distance, so that they make one disc around each
 /// source: an edge that would close a ring of faces, or join the discs of two sources, is not crossed. So the cut locus
-/// is not crossed, since there the discs meet. Borders count as closed by discs.
-class Disc_growth
+/// is not crossed, since there the discs meet. Borders count as closed by discs. Edges between vertices that have a
+/// distance are crossed, except edges where `is_blocked(h)` holds; edges where `is_last(h)` holds come after the
+/// others. O(m log m) for m faces. \param sources those that are neighbors share a disc
+/// \return a halfedge of each edge that was neither blocked nor crossed
+template <class IsBlocked, class IsLast>
+std::vector<Index> uncrossed_edges(const Cut_locus_indicators& measures, const std::vector<Index>& sources,
+                                   const IsBlocked& is_blocked, const IsLast& is_last)
 {
-public:
-  /// \param sources those that are neighbors share a disc
-  Disc_growth(const Cut_locus_indicators& measures, const std::vector<Index>& sources)
-      : m_measures(measures), m_triangulation(measures.frames().triangulation()),
-        m_discs(std::size_t(m_triangulation.number_of_faces()) + m_triangulation.number_of_vertices()),
-        m_has_source(m_discs.size(), 0)
-  {
-    cap_borders();
-    mark_sources(sources);
-  }
-
-  /// Crosses all edges between vertices that have a distance, in order of distance, except edges where `is_blocked(h)`
-  /// holds. Edges where `is_last(h)` holds come after the others. O(m log m) for m faces.
-  /// \return a halfedge of each edge that was neither blocked nor crossed
-  template <class IsBlocked, class IsLast>
-  std::vector<Index> operator()(const IsBlocked& is_blocked, const IsLast& is_last)
-  {
-    std::vector<Edge> edges;
-    for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
-      // All vertices of a face have a distance, or none has.
-      if (m_measures.is_reached(m_triangulation.origin(h)) && m_triangulation.twin(h) >= h && !is_blocked(h)) {
-        const double distance =
-            m_measures.distance(m_triangulation.origin(h)) + m_measures.distance(m_triangulation.target(h));
-        edges.push_back({is_last(h), distance, h});
-      }
+  const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
+  // Of faces and, for each vertex, of the outside of the border there.
+  Disjoint_sets discs(std::size_t(triangulation.number_of_faces()) + triangulation.number_of_vertices());
+  const auto outside = [&](Index vertex) { return triangulation.number_of_faces() + vertex; };
+  std::vector<std::tuple<bool, double, Index>> edges;
+  for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
+    const Index from = triangulation.origin(h);
+    const Index to = triangulation.target(h);
+    if (triangulation.is_border(h)) {
+      discs.join(outside(from), outside(to));
     }
-    std::sort(edges.begin(), edges.end());
-    std::vector<Index> uncrossed;
-    for (const Edge& edge : edges) {
-      if (!cross(edge.halfedge)) {
-        uncrossed.push_back(edge.halfedge);
-      }
-    }
-    return uncrossed;
-  }
-
-private:
-  struct Edge
-  {
-    bool is_last;
-    double distance;
-    Index halfedge;
-    bool operator<(const Edge& other) const
-    {
-      return std::tie(is_last, distance, halfedge) < std::tie(other.is_last, other.distance, other.halfedge);
-    }
-  };
-
-  /// The outside of a border at the vertex, as a member of `m_discs`.
-  Index outside(Index vertex) const { return m_triangulation.number_of_faces() + vertex; }
-  /// The face or the outside across `halfedge`.
-  Index across(Index halfedge) const
-  {
-    const Index twin = m_triangulation.twin(halfedge);
-    return twin != no_index ? Triangle_halfedges::face(twin) : outside(m_triangulation.origin(halfedge));
-  }
-
-  /// Makes one disc of the outsides along each border.
-  void cap_borders()
-  {
-    for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
-      if (m_triangulation.twin(h) == no_index) {
-        m_discs.join(outside(m_triangulation.origin(h)), outside(m_triangulation.target(h)));
-      }
+    // All vertices of a face have a distance, or none has.
+    if (measures.is_reached(from) && triangulation.twin(h) >= h && !is_blocked(h)) {
+      edges.emplace_back(is_last(h), measures.distance(from) + measures.distance(to), h);
     }
   }
-
-  /// Marks one face of each group of neighboring sources.
-  void mark_sources(const std::vector<Index>& sources)
-  {
-    std::vector<char> is_new(m_triangulation.number_of_vertices(), 0);
-    for (Index source : sources) {
-      is_new[source] = 1;
-    }
-    std::vector<Index> group;
-    for (Index source : sources) {
-      if (is_new[source]) {
-        mark_face_of(source);
-        group.assign(1, source);
-        is_new[source] = 0;
-      }
-      while (!group.empty()) {
-        const Index member = group.back();
-        group.pop_back();
-        m_measures.frames().for_each_neighbor(member, [&](Index neighbor, Index) {
-          if (is_new[neighbor]) {
-            is_new[neighbor] = 0;
-            group.push_back(neighbor);
-          }
-        });
-      }
+  std::sort(edges.begin(), edges.end());
+  std::vector<char> has_source(discs.size(), 0);
+  for (const Index face : faces_of_sources(measures, sources)) {
+    has_source[discs.find(face)] = 1;
+  }
+  std::vector<Index> uncrossed;
+  for (const auto& [is_late, distance, h] : edges) {
+    const Index twin = triangulation.twin(h);
+    const Index a = discs.find(Triangle_halfedges::face(h));
+    const Index b = discs.find(twin != no_index ? Triangle_halfedges::face(twin) : outside(triangulation.origin(h)));
+    if (a == b || (has_source[a] != 0 && has_source[b] != 0)) {
+      uncrossed.push_back(h);
+    } else {
+      const char has_either = std::max(has_source[a], has_source[b]);
+      discs.join(a, b);
+      has_source[discs.find(a)] = has_either;
     }
   }
-
-  void mark_face_of(Index source)
-  {
-    Index face = no_index;
-    m_measures.frames().for_each_outgoing(source, [&](Index h) { face = std::min(face, Triangle_halfedges::face(h)); });
-    if (face != no_index) {
-      m_has_source[m_discs.find(face)] = 1;
-    }
-  }
-
-  /// Joins the discs on both sides of `halfedge`. \return false if they are one already, or each holds a source
-  bool cross(Index halfedge)
-  {
-    const Index a = m_discs.find(Triangle_halfedges::face(halfedge));
-    const Index b = m_discs.find(across(halfedge));
-    if (a == b || (m_has_source[a] != 0 && m_has_source[b] != 0)) {
-      return false;
-    }
-    const char has_source = std::max(m_has_source[a], m_has_source[b]);
-    m_discs.join(a, b);
-    m_has_source[m_discs.find(a)] = has_source;
-    return true;
-  }
-
-  const Cut_locus_indicators& m_measures;
-  const Intrinsic_triangulation& m_triangulation;
-  Disjoint_sets m_discs; ///< of faces and, for each vertex, of the outside there
-  std::vector<char> m_has_source;
-};
+  return uncrossed;
+}
 
 /// Marks the vertices of the loops of the cut locus and of what joins these: discs grow around the sources by distance,
 /// and of the edges where they meet those are taken away, one after the other, that end freely. None are left on a
@@ -405,7 +327,7 @@ inline std::vector<char> find_loop_vertices(const Cut_locus_indicators& measures
 {
   const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   const auto never = [](Index) { return false; };
-  const std::vector<Index> uncrossed = Disc_growth(measures, sources)(never, never);
+  const std::vector<Index> uncrossed = uncrossed_edges(measures, sources, never, never);
 
   std::vector<char> is_left(triangulation.number_of_halfedges(), 0);
   std::vector<Index> degree(triangulation.number_of_vertices(), 0);
@@ -448,7 +370,7 @@ inline void close_loops(const Cut_locus_indicators& measures, const std::vector<
 {
   const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   const auto is_tree_edge = [&](Index halfedge, Index vertex) {
-    const Index own = cut.tree().halfedge_to_parent(vertex);
+    const Index own = cut.tree().halfedge[vertex];
     return own != no_index && (own == halfedge || own == triangulation.twin(halfedge));
   };
   const auto is_in_tree = [&](Index halfedge) {
@@ -458,7 +380,7 @@ inline void close_loops(const Cut_locus_indicators& measures, const std::vector<
   const auto is_kept = [&](Index halfedge) {
     return cut.is_kept(triangulation.origin(halfedge)) && cut.is_kept(triangulation.target(halfedge));
   };
-  for (Index halfedge : Disc_growth(measures, sources)(is_in_tree, is_kept)) {
+  for (Index halfedge : uncrossed_edges(measures, sources, is_in_tree, is_kept)) {
     cut.add_chord(halfedge, triangulation.origin(halfedge), triangulation.target(halfedge));
   }
 }
@@ -491,10 +413,10 @@ Cut_tree find_cut_tree(const Measures& measures, const std::vector<Index>& sourc
   if constexpr (Measures::knows_loops) {
     is_on_loop = closes_loops ? find_loop_vertices(measures, sources) : is_on_loop;
   }
-  Cut_tree cut(Org_tree(measures, is_on_loop));
+  Cut_tree cut(grow_org_tree(measures, is_on_loop));
   const Org_tree& tree = cut.tree();
-  for (const Index vertex : tree.order()) {
-    if (tree.is_on_loop(vertex) || measures.is_cut(vertex, settings, &gradients)) {
+  for (const Index vertex : tree.order) {
+    if (is_on_loop[vertex] || measures.is_cut(vertex, settings, &gradients)) {
       cut.keep(vertex);
     }
   }
@@ -505,7 +427,7 @@ Cut_tree find_cut_tree(const Measures& measures, const std::vector<Index>& sourc
   }
   thin_branches(frames, cut);
   double max_distance = 0;
-  for (Index root : tree.roots()) {
+  for (Index root : tree.roots) {
     max_distance = std::max(max_distance, measures.distance(root));
   }
   const double min_length =
