@@ -447,7 +447,7 @@ private:
       return;
     }
     m_arc.clear();
-    replace_segments_at(bend.segment);
+    replace_segments_at(bend);
   }
 
   /// Takes the path over the vertex behind a segment to the far side of the faces within the angle.
@@ -460,13 +460,13 @@ private:
     flip_incident_edges(bend);
     collect_arc(bend);
     double length = 0;
-    for (const Arc_edge& edge : m_arc) {
-      length += m_triangulation.length(edge.halfedge);
+    for (const Index side : m_arc) {
+      length += m_triangulation.length(side);
     }
     const Index next = m_path.next(bend.segment);
     if (length <
         m_triangulation.length(m_path.halfedge(bend.segment)) + m_triangulation.length(m_path.halfedge(next))) {
-      replace_segments_at(bend.segment);
+      replace_segments_at(bend);
     }
   }
 
@@ -512,8 +512,7 @@ private:
     const auto [first, last] = sides(bend.segment, bend.is_left);
     m_arc.clear();
     for (Index h = first; h != last; h = m_triangulation.next_around_origin(h)) {
-      const Index side = Triangle_halfedges::next(h);
-      m_arc.push_back({bend.is_left ? m_triangulation.twin(side) : side, side});
+      m_arc.push_back(Triangle_halfedges::next(h));
     }
     if (bend.is_left) {
       std::reverse(m_arc.begin(), m_arc.end());
@@ -538,19 +537,20 @@ private:
     }
     ++m_number_of_single_steps;
     m_length_of_single = m_length;
+    m_arc = {after, before};
     if (bend.is_left) {
-      m_arc = {{m_triangulation.twin(before), before}, {m_triangulation.twin(after), after}};
-    } else {
-      m_arc = {{after, after}, {before, before}};
+      std::swap(m_arc.front(), m_arc.back());
     }
-    replace_segments_at(bend.segment);
+    replace_segments_at(bend);
     const Index last = m_path.previous(m_first);
     pass_over_vertex({0., last, m_path.version(last), bend.is_left});
   }
 
-  /// Replaces a segment and the next one, which may be the same, by `m_arc`, and queues the bends that this makes.
-  void replace_segments_at(Index segment)
+  /// Replaces the segment of `bend` and the next one, which may be the same, by `m_arc`, and queues the bends that this
+  /// makes.
+  void replace_segments_at(const Bend& bend)
   {
+    const Index segment = bend.segment;
     const Index next = m_path.next(segment);
     const Index before = m_path.previous(segment);
     const Index after = m_path.next(next);
@@ -560,9 +560,9 @@ private:
       remove(next);
     }
     m_added.clear();
-    for (const Arc_edge& edge : m_arc) {
-      m_added.push_back(m_path.add(edge.halfedge, edge.side));
-      m_length += m_triangulation.length(edge.halfedge);
+    for (const Index side : m_arc) {
+      m_added.push_back(m_path.add(bend.is_left ? m_triangulation.twin(side) : side, side));
+      m_length += m_triangulation.length(side);
     }
     connect(is_all ? no_index : before, is_all ? no_index : after);
     if (is_all && !m_added.empty()) {
@@ -577,8 +577,8 @@ private:
     for (const Index added : m_added) {
       queue(added);
     }
-    for (const Bend& bend : m_blocked) {
-      push(bend);
+    for (const Bend& blocked : m_blocked) {
+      push(blocked);
     }
     m_blocked.clear();
   }
@@ -642,19 +642,12 @@ private:
   }
   /// @}
 
-  /// A segment to come: its halfedge, and that of the edge in whose face the path has been.
-  struct Arc_edge
-  {
-    Index halfedge;
-    Index side;
-  };
-
   Revertible_triangulation m_triangulation;
   Edge_path m_path;
   std::function<bool(Index)> m_is_pinned;
   std::vector<Bend> m_bends;   // a heap
   std::vector<Bend> m_blocked; // which other parts of the path are in the way of
-  std::vector<Arc_edge> m_arc;
+  std::vector<Index> m_arc;    // sides of faces in which the path has been
   std::vector<Index> m_added;
   Index m_first = 0; // segment of an open path, some segment of a closed one
   Index m_number_of_faces;

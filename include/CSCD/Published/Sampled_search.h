@@ -397,9 +397,8 @@ public:
   Sampled_search(const Surface& surface, const Options& settings, const Field_search_settings& field_settings)
       : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_method::batch_size),
         m_round_size(field_settings.sampling_rule == Sampling_rule::one_by_one ? 1 : m_group_size * max_groups),
-        m_make_search(make_search_factory(surface, field_settings)),
         m_sampling(shares(surface.triangulation(), field_settings.sampling_rule), settings.random_seed),
-        m_for_each([this] { return std::make_unique<Group_search>(m_make_search()); }, settings.number_of_threads)
+        m_for_each(make_search_factory(surface, field_settings), settings.number_of_threads)
   {
   }
 
@@ -474,8 +473,7 @@ private:
       const auto size = std::min(std::ptrdiff_t(m_group_size), m_sources.end() - begin);
       m_groups[group].sources.assign(begin, begin + size);
     }
-    m_for_each(number_of_groups(),
-               [this](Index group, std::unique_ptr<Group_search>& search) { (*search)(m_groups[group]); });
+    m_for_each(number_of_groups(), [this](Index group, const Group_search& search) { search(m_groups[group]); });
     for (Index group = 0; group < number_of_groups(); ++group) {
       m_sampling.add_source([&](Index vertex) { return m_groups[group].distance[vertex]; });
     }
@@ -501,9 +499,8 @@ private:
 
   std::size_t m_group_size;
   std::size_t m_round_size;
-  std::function<Group_search()> m_make_search;
   Distance_sampling m_sampling;
-  For_each_index<std::unique_ptr<Group_search>> m_for_each;
+  For_each_index<Group_search> m_for_each;
   std::vector<Index> m_sources;
   std::array<Source_group, max_groups> m_groups;
 };
