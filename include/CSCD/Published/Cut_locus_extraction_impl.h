@@ -117,12 +117,11 @@ CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_c
   if (distances.empty()) {
     distances = distances_from_vertices(triangulation, vertices);
   }
-  const Point_frames frames(complex);
-  const Point_derivatives derivatives(frames, Cotangent_elements(triangulation));
+  const Point_frames frames(complex, Cotangent_elements(triangulation));
   const auto at_vertex = [&](Index vertex) {
     return Extracted_cut_locus<Index>::Vertex{complex.point(vertex), vertex, distances[vertex]};
   };
-  return extract_cut_locus_on<Index>(Point_cut_locus_indicators(derivatives, distances), vertices, settings, at_vertex,
+  return extract_cut_locus_on<Index>(Point_cut_locus_indicators(frames, distances), vertices, settings, at_vertex,
                                      [](Index, const auto&) {});
 }
 

@@ -62,14 +62,24 @@ inline double max_convergence(const Gradient_samples& samples)
 }
 
 /// Decides which vertices are points of the cut locus, however derivatives are computed.
-/// \tparam Derived has the members `frames()`, `laplacian(vertex)`, `gradient(vertex)` and
+/// \tparam FramesType of the vertices, `Tangent_frames` or `Point_frames`
+/// \tparam Derived has the members `laplacian(vertex)`, `gradient(vertex)` and
 ///         `collect_samples(vertex, samples)`, which collects what has a gradient around a vertex, counterclockwise
-template <class Derived>
+template <class Derived, class FramesType>
 class Cut_point_test
 {
 public:
+  using Frames = FramesType;
   using Complex = std::complex<double>;
 
+  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
+  ///        referred to and must outlive this object
+  Cut_point_test(const Frames& frames, const std::vector<double>& field) : m_frames(frames), m_distances(field)
+  {
+    CGAL_precondition(field.size() == frames.triangulation().number_of_vertices());
+  }
+
+  const Frames& frames() const { return m_frames; }
   const std::vector<double>& distances() const { return m_distances; }
   double distance(Index vertex) const { return m_distances[vertex]; }
   bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
@@ -104,23 +114,20 @@ public:
   }
 
 protected:
-  explicit Cut_point_test(const std::vector<double>& distances) : m_distances(distances) {}
-
   /// Collects the neighbors of `vertex`, counterclockwise, unless their gradients are those of a ridge or a source,
   /// which are short and have no direction.
   template <class GradientOf>
   void collect_neighbors(Index vertex, const GradientOf& gradient_of, Gradient_samples& samples) const
   {
     constexpr double min_gradient = 0.1; // away from ridges and sources it is 1
-    const auto& frames = derived().frames();
     samples.clear();
-    frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+    m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
       const Complex gradient = gradient_of(neighbor);
       const double norm = std::abs(gradient);
       if (norm > min_gradient && std::isfinite(norm)) {
-        const bool is_outgoing = frames.triangulation().origin(h) == vertex;
-        const double direction = is_outgoing ? frames.direction_at_origin(h) : frames.direction_at_target(h);
-        const Complex transport = frames.transport_to_origin(h);
+        const bool is_outgoing = m_frames.triangulation().origin(h) == vertex;
+        const double direction = is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h);
+        const Complex transport = m_frames.transport_to_origin(h);
         samples.push_back(
             {std::polar(1., direction), (is_outgoing ? transport : std::conj(transport)) * gradient / norm});
       }
@@ -130,43 +137,33 @@ protected:
 private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
+  const Frames& m_frames;
   const std::vector<double>& m_distances;
 };
 
 /// The derivatives of a distance field at the vertices, each computed on request, from the faces around the
 /// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise; samples beyond a
 /// constant number are thinned out evenly before they are compared pair by pair.
-class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators>
+class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators, Tangent_frames>
 {
 public:
-  using Frames = Tangent_frames;
-  using Basis = Frames; ///< the data behind them
+  using Cut_point_test::Cut_point_test;
 
   static constexpr bool knows_loops = true; ///< around handles
   static constexpr Cut_locus_settings default_settings() { return {}; }
-  static const Frames& frames_of(const Basis& basis) { return basis; }
-
-  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
-  ///        referred to and must outlive this object
-  Cut_locus_indicators(const Frames& frames, const std::vector<double>& field) : Cut_point_test(field), m_frames(frames)
-  {
-    CGAL_precondition(field.size() == frames.triangulation().number_of_vertices());
-  }
-
-  const Frames& frames() const { return m_frames; }
 
   /// The unit gradient in the face of `halfedge`, in the frame of the origin of `halfedge`; 0 where there is none.
   Complex face_direction(Index halfedge) const
   {
-    const Intrinsic_triangulation& triangulation = m_frames.triangulation();
-    const auto& corner = m_frames.corner(halfedge);
+    const Intrinsic_triangulation& triangulation = frames().triangulation();
+    const auto& corner = frames().corner(halfedge);
     if (corner.sine == 0) {
       return 0;
     }
     const double here = distance(triangulation.origin(halfedge));
     const Index last = triangulation.previous(halfedge);
     const double along = (distance(triangulation.target(halfedge)) - here) / corner.length;
-    const double along_last = (distance(triangulation.origin(last)) - here) / m_frames.corner(last).length;
+    const double along_last = (distance(triangulation.origin(last)) - here) / frames().corner(last).length;
     const Complex gradient(along, (along_last - along * corner.cosine) / corner.sine);
     const double norm = std::abs(gradient);
     return norm > 0 && std::isfinite(norm) ? corner.turn * gradient / norm : Complex(0);
@@ -178,8 +175,8 @@ public:
   {
     Complex sum = 0;
     double weight = 0;
-    m_frames.for_each_outgoing(vertex, [&](Index h) {
-      const double angle = std::atan2(m_frames.corner(h).sine, m_frames.corner(h).cosine);
+    frames().for_each_outgoing(vertex, [&](Index h) {
+      const double angle = std::atan2(frames().corner(h).sine, frames().corner(h).cosine);
       sum += angle * face_direction(h);
       weight += angle;
     });
@@ -190,19 +187,19 @@ public:
   /// over which a heat method smooths its distances.
   double laplacian(Index vertex) const
   {
-    const double area = m_frames.area(vertex);
+    const double area = frames().area(vertex);
     if (!(area > 0)) {
       return 0;
     }
-    const Intrinsic_triangulation& triangulation = m_frames.triangulation();
+    const Intrinsic_triangulation& triangulation = frames().triangulation();
     double sum = 0;
-    m_frames.for_each_outgoing(vertex, [&](Index h) {
+    frames().for_each_outgoing(vertex, [&](Index h) {
       const Index next = triangulation.next(h);
       const Index last = triangulation.previous(h);
       sum += cotangent(last) * (distance(triangulation.origin(next)) - distance(vertex)) / 2 +
              cotangent(next) * (distance(triangulation.origin(last)) - distance(vertex)) / 2;
     });
-    const double spacing = std::max(m_frames.mean_edge_length(), std::sqrt(area / area_of_unit_spacing));
+    const double spacing = std::max(frames().mean_edge_length(), std::sqrt(area / area_of_unit_spacing));
     return std::isfinite(sum) ? sum / area * spacing : 0;
   }
 
@@ -210,10 +207,10 @@ public:
   void collect_samples(Index vertex, Gradient_samples& samples) const
   {
     samples.clear();
-    m_frames.for_each_outgoing(vertex, [&](Index h) {
+    frames().for_each_outgoing(vertex, [&](Index h) {
       const Complex gradient = face_direction(h);
       if (gradient != Complex(0)) {
-        const auto& corner = m_frames.corner(h);
+        const auto& corner = frames().corner(h);
         // The bisector of the corner, by the half-angle formulas.
         const Complex bisector(std::sqrt((1 + corner.cosine) / 2), std::sqrt((1 - corner.cosine) / 2));
         samples.push_back({corner.turn * bisector, gradient});
@@ -225,55 +222,40 @@ private:
   /// Of the angle at the origin of `halfedge`; 0 where the face has no area.
   double cotangent(Index halfedge) const
   {
-    const auto& corner = m_frames.corner(halfedge);
+    const auto& corner = frames().corner(halfedge);
     return corner.sine > 0 ? corner.cosine / corner.sine : 0;
   }
-
-  const Frames& m_frames;
 };
 
 /// What `Cut_locus_indicators` are on a triangulation, on a point complex (supplement, appendix G.2): the derivatives
 /// of a distance field at the vertices, each computed on request. The gradient that a vertex has is the mean
 /// of those of its immediate neighbors and its own: a single one follows the noise of a few points. Only the immediate
 /// neighbors of a vertex are compared.
-class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicators>
+class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicators, Point_frames>
 {
 public:
-  using Frames = Point_frames;
-  using Basis = Point_derivatives; ///< the data behind them
+  using Cut_point_test::Cut_point_test;
 
   static constexpr bool knows_loops = false;
-  static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
-
   static constexpr Cut_locus_settings default_settings() { return point_cut_locus_settings(); }
-
-  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `derivatives`, it
-  ///        is referred to and must outlive this object
-  Point_cut_locus_indicators(const Point_derivatives& derivatives, const std::vector<double>& field)
-      : Cut_point_test(field), m_derivatives(derivatives)
-  {
-    CGAL_precondition(field.size() == frames().triangulation().number_of_vertices());
-  }
-
-  const Frames& frames() const { return m_derivatives.frames(); }
 
   /// The mean gradient of `vertex` and its neighbors, in its frame: it is shorter than 1 where they disagree. O(d^2)
   /// for degree d.
   Complex gradient(Index vertex) const
   {
-    Complex sum = m_derivatives.gradient(vertex, distances());
+    Complex sum = frames().gradient(vertex, distances());
     double number = 1;
     frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
-      sum += frames().transport_to_origin(h) * m_derivatives.gradient(neighbor, distances());
+      sum += frames().transport_to_origin(h) * frames().gradient(neighbor, distances());
       number += 1;
     });
     return sum / number;
   }
 
-  /// The Laplacian times the spacing, see `Point_derivatives`. O(d) for degree d.
+  /// The Laplacian times the spacing, see `Point_frames`. O(d) for degree d.
   double laplacian(Index vertex) const
   {
-    const double result = m_derivatives.laplacian(vertex, distances());
+    const double result = frames().laplacian(vertex, distances());
     return std::isfinite(result) ? result : 0;
   }
 
@@ -283,9 +265,6 @@ public:
     collect_neighbors(
         vertex, [this](Index neighbor) { return gradient(neighbor); }, samples);
   }
-
-private:
-  const Point_derivatives& m_derivatives;
 };
 
 } // namespace CSCD::internal

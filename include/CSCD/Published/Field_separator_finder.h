@@ -148,23 +148,22 @@ template <class Measures, class Shortening>
 class Field_separator_finder
 {
 public:
-  /// The data behind the measures, prepared once for a surface.
-  using Basis = typename Measures::Basis;
+  using Frames = typename Measures::Frames;
 
-  /// \param basis is referred to, as \param points, the positions of the vertices, and \param settings, which cut point is
+  /// \param frames is referred to, as \param points, the positions of the vertices, and \param settings, which cut point is
   ///        the target, and what cut points are
   /// \param domain, data what `Shortening` is constructed with
   template <class Domain, class Data>
-  Field_separator_finder(const Basis& basis, const std::vector<Vector3>& points, const Field_search_settings& settings,
-                         const Domain& domain, const Data& data)
-      : m_basis(basis), m_points(points), m_settings(settings), m_cut_locus(Measures::default_settings()),
-        m_loop_finder(Measures::frames_of(basis), points), m_shorten(domain, data)
+  Field_separator_finder(const Frames& frames, const std::vector<Vector3>& points,
+                         const Field_search_settings& settings, const Domain& domain, const Data& data)
+      : m_frames(frames), m_points(points), m_settings(settings), m_cut_locus(Measures::default_settings()),
+        m_loop_finder(frames, points), m_shorten(domain, data)
   {
     m_cut_locus.laplacian_threshold = settings.laplacian_threshold.value_or(m_cut_locus.laplacian_threshold);
     m_cut_locus.angle_threshold = settings.angle_threshold.value_or(m_cut_locus.angle_threshold);
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
-    m_has_handles = Measures::knows_loops && settings.cut_locus_rule == Cut_locus_rule::tree &&
-                    has_handles(Measures::frames_of(basis).triangulation());
+    m_has_handles =
+        Measures::knows_loops && settings.cut_locus_rule == Cut_locus_rule::tree && has_handles(frames.triangulation());
   }
   Field_separator_finder(const Field_separator_finder&) = delete;
   Field_separator_finder& operator=(const Field_separator_finder&) = delete;
@@ -186,7 +185,7 @@ public:
   /// loop is valid until the next call.
   const Cut_loop& find_loop(Index source, const Vector3& source_point, const std::vector<double>& distances)
   {
-    const Measures measures(m_basis, distances);
+    const Measures measures(m_frames, distances);
     const auto find = [&](const auto& is_cut) {
       m_loop_finder.find(measures, source, source_point, m_settings.target_rule, is_cut, m_loop);
     };
@@ -200,7 +199,7 @@ public:
   }
 
 private:
-  const Basis& m_basis;
+  const Frames& m_frames;
   const std::vector<Vector3>& m_points;
   const Field_search_settings& m_settings;
   Cut_locus_settings m_cut_locus;
@@ -255,9 +254,8 @@ public:
 
   /// \param complex is referred to and must outlive this object
   Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
-      : m_complex(complex), m_settings(settings), m_frames(complex),
-        m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
-        m_derivatives(m_frames, m_heat_method.elements()), m_neighborhoods(complex)
+      : m_complex(complex), m_settings(settings), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
+        m_frames(complex, m_heat_method.elements()), m_neighborhoods(complex)
   {
   }
   Field_search_space(Point_complex&&, const Field_search_settings&) = delete;
@@ -265,17 +263,13 @@ public:
   const Heat_method& heat_method() const { return m_heat_method; }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder() const
-  {
-    return Finder(m_derivatives, m_complex.points(), m_settings, m_complex, m_neighborhoods);
-  }
+  Finder make_finder() const { return Finder(m_frames, m_complex.points(), m_settings, m_complex, m_neighborhoods); }
 
 private:
   const Point_complex& m_complex;
   Field_search_settings m_settings;
-  Point_frames m_frames;
   Heat_method m_heat_method;
-  Point_derivatives m_derivatives;
+  Point_frames m_frames;
   Point_neighborhoods m_neighborhoods;
 };
 

@@ -276,6 +276,9 @@ private:
 /// A frame across the normal of every vertex, where tangent vectors are complex numbers. It has the members of
 /// `Tangent_frames` that cut loci and loops need. Directions are those of the edges as seen along the normal, since the
 /// triangles of a cloud need not go once around a vertex. The first halfedge points along the real axis.
+///
+/// Functions on the complex are differentiated in these frames: gradients by least squares over the immediate
+/// neighbors, and the Laplacian of the finite elements that the heat method uses.
 class Point_frames
 {
 public:
@@ -283,18 +286,22 @@ public:
 
   /// Computes all frames; linear.
   /// \param complex is referred to and must outlive this object
-  explicit Point_frames(const Point_complex& complex)
+  /// \param elements those of the intrinsic Delaunay triangulation of the tufted cover; not referred to later
+  Point_frames(const Point_complex& complex, const Cotangent_elements& elements)
       : m_complex(complex), m_axis(complex.number_of_vertices()), m_direction(complex.number_of_halfedges()),
-        m_transport(complex.number_of_halfedges())
+        m_transport(complex.number_of_halfedges()), m_gradient(complex.number_of_halfedges(), 0)
   {
+    CGAL_precondition(elements.number_of_vertices() == complex.number_of_vertices());
     for (Index vertex = 0; vertex < complex.number_of_vertices(); ++vertex) {
       lay_out(vertex);
+      fit_gradient(vertex);
     }
     for (Index h = 0; h < complex.number_of_halfedges(); ++h) {
       m_transport[h] = carry_to_origin(h);
     }
+    collect_couplings(elements);
   }
-  explicit Point_frames(Point_complex&&) = delete;
+  Point_frames(Point_complex&&, const Cotangent_elements&) = delete;
 
   /// The complex, by the name that generic code uses.
   const Point_complex& triangulation() const { return m_complex; }
@@ -319,13 +326,39 @@ public:
   /// rotation that takes one normal to the other.
   const Complex& transport_to_origin(Index halfedge) const { return m_transport[halfedge]; }
 
+  /// The gradient of the linear function that fits `values` best at the neighbors of `vertex`, in its frame.
+  Complex gradient(Index vertex, const std::vector<double>& values) const
+  {
+    Complex sum = 0;
+    for (const Index h : m_complex.outgoing(vertex)) {
+      sum += m_gradient[h] * (values[m_complex.target(h)] - values[vertex]);
+    }
+    return sum;
+  }
+
+  /// The Laplacian of `values` at `vertex`, times the spacing of the points there.
+  double laplacian(Index vertex, const std::vector<double>& values) const
+  {
+    double sum = 0;
+    for (const Coupling& coupling : m_couplings[vertex]) {
+      sum += coupling.weight * (values[coupling.neighbor] - values[vertex]);
+    }
+    return sum;
+  }
+
+private:
+  struct Coupling
+  {
+    Index neighbor;
+    double weight;
+  };
+
   /// The projection of `vector` to the tangent plane of `vertex`.
   Complex in_frame(Index vertex, const Vector3& vector) const
   {
     return {vector.dot(m_axis[vertex]), m_complex.normal(vertex).cross(m_axis[vertex]).dot(vector)};
   }
 
-private:
   void lay_out(Index vertex)
   {
     const Vector3& normal = m_complex.normal(vertex);
@@ -358,64 +391,6 @@ private:
     return norm > 0 ? result / norm : Complex(1);
   }
 
-  /// Relative to the projected vector: shorter projections have no direction that can be trusted.
-  static constexpr double min_projection = 1e-8;
-
-  const Point_complex& m_complex;
-  std::vector<Vector3> m_axis;      // of every vertex
-  std::vector<double> m_direction;  // of every halfedge
-  std::vector<Complex> m_transport; // of every halfedge
-};
-
-/// Differentiates functions on a point complex, prepared once: gradients by least squares over the
-/// immediate neighbors, and the Laplacian of the finite elements that the heat method uses.
-class Point_derivatives
-{
-public:
-  using Complex = Point_frames::Complex;
-
-  /// Linear. \param frames is referred to and must outlive this object
-  /// \param elements those of the intrinsic Delaunay triangulation of the tufted cover; not referred to later
-  Point_derivatives(const Point_frames& frames, const Cotangent_elements& elements)
-      : m_frames(frames), m_gradient(frames.triangulation().number_of_halfedges(), 0)
-  {
-    CGAL_precondition(elements.number_of_vertices() == frames.triangulation().number_of_vertices());
-    for (Index vertex = 0; vertex < frames.triangulation().number_of_vertices(); ++vertex) {
-      fit_gradient(vertex);
-    }
-    collect_couplings(elements);
-  }
-
-  const Point_frames& frames() const { return m_frames; }
-
-  /// The gradient of the linear function that fits `values` best at the neighbors of `vertex`, in its frame.
-  Complex gradient(Index vertex, const std::vector<double>& values) const
-  {
-    const Point_complex& complex = m_frames.triangulation();
-    Complex sum = 0;
-    for (const Index h : complex.outgoing(vertex)) {
-      sum += m_gradient[h] * (values[complex.target(h)] - values[vertex]);
-    }
-    return sum;
-  }
-
-  /// The Laplacian of `values` at `vertex`, times the spacing of the points there.
-  double laplacian(Index vertex, const std::vector<double>& values) const
-  {
-    double sum = 0;
-    for (const Coupling& coupling : m_couplings[vertex]) {
-      sum += coupling.weight * (values[coupling.neighbor] - values[vertex]);
-    }
-    return sum;
-  }
-
-private:
-  struct Coupling
-  {
-    Index neighbor;
-    double weight;
-  };
-
   /// Solves the normal equations of the slopes along the edges: each counts the same, however long its edge is.
   void fit_gradient(Index vertex)
   {
@@ -424,8 +399,8 @@ private:
     double xx = 0;
     double xy = 0;
     double yy = 0;
-    for (const Index h : m_frames.triangulation().outgoing(vertex)) {
-      const Complex d = std::polar(1., m_frames.direction_at_origin(h));
+    for (const Index h : m_complex.outgoing(vertex)) {
+      const Complex d = std::polar(1., m_direction[h]);
       xx += d.real() * d.real();
       xy += d.real() * d.imag();
       yy += d.imag() * d.imag();
@@ -434,8 +409,8 @@ private:
     if (!(determinant > min_determinant * (xx + yy) * (xx + yy))) {
       return;
     }
-    for (const Index h : m_frames.triangulation().outgoing(vertex)) {
-      const Complex d = std::polar(1. / m_frames.length(h), m_frames.direction_at_origin(h));
+    for (const Index h : m_complex.outgoing(vertex)) {
+      const Complex d = std::polar(1. / m_complex.length(h), m_direction[h]);
       m_gradient[h] = Complex(yy * d.real() - xy * d.imag(), xx * d.imag() - xy * d.real()) / determinant;
     }
   }
@@ -462,8 +437,8 @@ private:
   {
     const double unit = elements.unit(elements.component(vertex));
     const double mass = elements.mass(vertex) * unit * unit;
-    const double area = m_frames.triangulation().vertex_area(vertex);
-    return mass > 0 ? std::max(m_frames.mean_edge_length(), std::sqrt(area / area_of_unit_spacing)) / mass : 0;
+    const double area = m_complex.vertex_area(vertex);
+    return mass > 0 ? std::max(m_complex.mean_edge_length(), std::sqrt(area / area_of_unit_spacing)) / mass : 0;
   }
 
   /// Adds up what a vertex has with the same neighbor through several faces.
@@ -481,7 +456,13 @@ private:
     return end;
   }
 
-  const Point_frames& m_frames;
+  /// Relative to the projected vector: shorter projections have no direction that can be trusted.
+  static constexpr double min_projection = 1e-8;
+
+  const Point_complex& m_complex;
+  std::vector<Vector3> m_axis;           // of every vertex
+  std::vector<double> m_direction;       // of every halfedge
+  std::vector<Complex> m_transport;      // of every halfedge
   std::vector<Complex> m_gradient;       // of every halfedge: what the difference of values along it adds
   Compressed_rows<Coupling> m_couplings; // of every vertex
 };
