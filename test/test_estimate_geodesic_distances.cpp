@@ -9,6 +9,7 @@
 #include "support/shapes.h"
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Heat_method.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/estimate_geodesic_distances.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -96,9 +97,8 @@ TEST(Heat_method, gives_on_the_same_triangles_what_cgal_gives)
     Distance_map theirs = add_map(mesh);
     CGAL::Heat_method_3::estimate_geodesic_distances(mesh, theirs, Vertex(17), CGAL::Heat_method_3::Direct());
     const CSCD::internal::Heat_method method(CSCD::internal::Intrinsic_triangulation(CSCD::test::to_surface(shape)));
-    CSCD::internal::Heat_method::Workspace workspace;
     std::vector<double> ours;
-    method({CSCD::internal::Geodesic_source::at_vertex(17)}, ours, workspace);
+    CSCD::internal::Heat_workspace()(method, {CSCD::internal::Geodesic_source::at_vertex(17)}, ours);
     const double largest = *std::max_element(ours.begin(), ours.end());
     for (const Vertex vertex : mesh.vertices()) {
       // CGAL adds 1e-8 to the diagonals of both matrices.

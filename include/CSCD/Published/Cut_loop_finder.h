@@ -247,7 +247,10 @@ private:
     if (separation < min_path_separation * loop.distance) {
       return Cut_loop_outcome::narrow;
     }
-    join_paths(loop);
+    loop.halfedges = m_path[0];
+    for (auto h = m_path[1].rbegin(); h != m_path[1].rend(); ++h) {
+      loop.halfedges.push_back(m_triangulation.twin(*h));
+    }
     return Cut_loop_outcome::found;
   }
 
@@ -293,14 +296,6 @@ private:
       }
     }
     return m_points[m_triangulation.target(path.back())];
-  }
-
-  void join_paths(Cut_loop& loop) const
-  {
-    loop.halfedges = m_path[0];
-    for (auto h = m_path[1].rbegin(); h != m_path[1].rend(); ++h) {
-      loop.halfedges.push_back(m_triangulation.twin(*h));
-    }
   }
 
   const Frames& m_frames;

@@ -21,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -289,7 +290,7 @@ private:
     Index version; // of the segment
     bool is_left;  // of the path
 
-    /// The greatest element of a heap is its smallest angle.
+    /// The smallest angle comes first out of the queue.
     bool operator<(const Bend& other) const
     {
       return std::tie(other.angle, other.segment, other.is_left) < std::tie(angle, segment, is_left);
@@ -304,7 +305,8 @@ private:
     for_each_segment([&](Index segment) { queue(segment); });
     std::size_t steps_left = max_steps_per_segment * (halfedges.size() + 1);
     while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
-      const Bend bend = pop();
+      const Bend bend = m_bends.top();
+      m_bends.pop();
       if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
         straighten(bend);
         m_is_collapsed = m_is_collapsed || (is_closed && m_length < collapsed_part * m_first_length);
@@ -317,7 +319,7 @@ private:
   {
     m_triangulation.revert();
     m_path.clear();
-    m_bends.clear();
+    m_bends = {};
     m_blocked.clear();
     m_is_closed = is_closed;
     m_number_of_single_steps = 0;
@@ -394,20 +396,6 @@ private:
 
   static bool is_straight(double angle) { return angle >= pi - angle_tolerance; }
 
-  void push(const Bend& bend)
-  {
-    m_bends.push_back(bend);
-    std::push_heap(m_bends.begin(), m_bends.end());
-  }
-
-  Bend pop()
-  {
-    std::pop_heap(m_bends.begin(), m_bends.end());
-    const Bend bend = m_bends.back();
-    m_bends.pop_back();
-    return bend;
-  }
-
   /// Queues the bends behind `segment`. Parts straight back are taken out even where vertices are pinned.
   void queue(Index segment)
   {
@@ -415,12 +403,12 @@ private:
       return;
     }
     if (is_backtrack(segment)) {
-      push({0., segment, m_path.version(segment), true});
+      m_bends.push({0., segment, m_path.version(segment), true});
     } else if (!m_is_pinned(vertex_behind(segment))) {
       for (const bool is_left : {true, false}) {
         const double angle = angle_behind(segment, is_left);
         if (!is_straight(angle)) {
-          push({angle, segment, m_path.version(segment), is_left});
+          m_bends.push({angle, segment, m_path.version(segment), is_left});
         }
       }
     }
@@ -578,7 +566,7 @@ private:
       queue(added);
     }
     for (const Bend& blocked : m_blocked) {
-      push(blocked);
+      m_bends.push(blocked);
     }
     m_blocked.clear();
   }
@@ -645,7 +633,7 @@ private:
   Revertible_triangulation m_triangulation;
   Edge_path m_path;
   std::function<bool(Index)> m_is_pinned;
-  std::vector<Bend> m_bends;   // a heap
+  std::priority_queue<Bend> m_bends;
   std::vector<Bend> m_blocked; // which other parts of the path are in the way of
   std::vector<Index> m_arc;    // sides of faces in which the path has been
   std::vector<Index> m_added;

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -44,7 +45,7 @@ public:
 
   /// Shortens the closed curve along `halfedges` within the ball around the vertex `source`, and sets the crossings and
   /// measures of `separator`. The curve is moved off the vertices that it passes, so that it only crosses edges.
-  /// \return `collapsed`, and `separator` stays as it was, also where fewer than three edges are crossed
+  /// \return `collapsed`, and `separator` is none, also where fewer than three edges are crossed
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
     const std::vector<Vector3>& points = m_surface.points();
@@ -56,10 +57,9 @@ public:
     squared_radius *= ball_margin * ball_margin;
     const auto is_outside = [&](Index vertex) { return (points[vertex] - center).squaredNorm() > squared_radius; };
     const Shortening_outcome outcome = m_shortening(halfedges, true, is_outside, m_path);
-    if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, m_crossings)) {
+    if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, separator.crossings)) {
       return Shortening_outcome::collapsed;
     }
-    separator.crossings = m_crossings;
     // The measures are those of the geodesic, before it is moved off the vertices.
     crossing_points(m_surface, m_path.points, m_points);
     set_measures(separator, m_points);
@@ -76,7 +76,6 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   Edge_flip_shortening m_shortening;
   Surface_path m_path;
-  std::vector<Edge_crossing> m_crossings;
   std::vector<Vector3> m_points;
 };
 
@@ -108,10 +107,9 @@ public:
     const std::size_t number_of_samples = std::clamp(halfedges.size(), min_samples, max_samples);
     const Shortening_outcome outcome =
         m_shortening(m_points, number_of_samples, center, radius, m_complex.origin(halfedges.front()));
-    if (outcome == Shortening_outcome::collapsed || !m_trace(m_shortening.curve(), m_crossings)) {
+    if (outcome == Shortening_outcome::collapsed || !m_trace(m_shortening.curve(), separator.crossings)) {
       return Shortening_outcome::collapsed;
     }
-    separator.crossings = m_crossings;
     separator.points = m_points;
     set_measures(separator, m_points);
     return outcome;
@@ -126,7 +124,6 @@ private:
   Variational_shortening m_shortening;
   Complex_trace m_trace;
   std::vector<Vector3> m_points;
-  std::vector<Edge_crossing> m_crossings;
 };
 
 /// The result of the search for the separator of one source by its distance field.
@@ -234,7 +231,10 @@ public:
   double mean_edge_length() const { return m_frames.mean_edge_length(); }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder() const { return Finder(m_frames, m_surface.points(), m_settings, m_surface, m_triangulation); }
+  std::unique_ptr<Finder> make_finder() const
+  {
+    return std::make_unique<Finder>(m_frames, m_surface.points(), m_settings, m_surface, m_triangulation);
+  }
 
 private:
   const Surface& m_surface;
@@ -255,7 +255,7 @@ public:
   /// \param complex is referred to and must outlive this object
   Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
       : m_complex(complex), m_settings(settings), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
-        m_frames(complex, m_heat_method.elements()), m_neighborhoods(complex)
+        m_frames(complex, m_heat_method.elements), m_neighborhoods(complex)
   {
   }
   Field_search_space(Point_complex&&, const Field_search_settings&) = delete;
@@ -263,7 +263,10 @@ public:
   const Heat_method& heat_method() const { return m_heat_method; }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder() const { return Finder(m_frames, m_complex.points(), m_settings, m_complex, m_neighborhoods); }
+  std::unique_ptr<Finder> make_finder() const
+  {
+    return std::make_unique<Finder>(m_frames, m_complex.points(), m_settings, m_complex, m_neighborhoods);
+  }
 
 private:
   const Point_complex& m_complex;

@@ -152,29 +152,36 @@ struct Geodesic_source
     return result;
   }
 
-  bool is_vertex() const { return weights[0] == 1; }
-
   std::array<Index, 3> vertices;   ///< around the point
   std::array<double, 3> weights;   ///< its barycentric coordinates
   std::array<double, 3> distances; ///< from it to the vertices, in the unit of the lengths
 };
 
-/// The elements of a surface and the factors of the heat method's two equations.
-struct Heat_operators
+/// Geodesic distance from any number of sources, on a triangulation given by its edge lengths: the elements of a
+/// surface and the factors of the heat method's two equations. A `Heat_workspace` computes distances.
+///
+/// On Delaunay triangulations a distance is exact to a few tenths of an edge where the surface is smooth, and rounded
+/// off over two or three edges on ridges, where shortest paths from different sides meet. Other triangulations should
+/// be made Delaunay first. Accuracy does not degrade with distance. It may be used by several threads at once, each
+/// with its own workspace.
+struct Heat_method
 {
   /// The numbers of the matrices in `solver`.
   static constexpr std::size_t heat = 0;    ///< masses / time + stiffness: one implicit step of heat flow
   static constexpr std::size_t poisson = 1; ///< stiffness, pinned
 
-  /// \param step_factor the duration of the heat flow, in squared mean edge lengths
-  /// \pre it is positive
-  Heat_operators(const Intrinsic_triangulation& triangulation, double step_factor)
+  /// Factors the equations of `triangulation`, which is not referred to later; O(n^1.5), and usually nearly linear.
+  /// \param time_step_factor the duration of the heat flow, in squared mean edge lengths of the component: more is
+  ///        smoother and less exact
+  /// \pre `time_step_factor` is positive
+  /// \throw Input_error if the equations cannot be factored
+  explicit Heat_method(const Intrinsic_triangulation& triangulation, double time_step_factor = 1)
       : elements(triangulation),
-        solver({elements.matrix(1 / step_factor, false), elements.matrix(0, true)},
+        solver({elements.matrix(1 / time_step_factor, false), elements.matrix(0, true)},
                "the Laplacian of the surface cannot be factored: its triangles are too uneven; remesh it, for instance "
                "by CGAL::Polygon_mesh_processing::isotropic_remeshing")
   {
-    CGAL_precondition(step_factor > 0);
+    CGAL_precondition(time_step_factor > 0);
     faces.reserve(elements.faces().size());
     for (const Cotangent_elements::Face& face : elements.faces()) {
       faces.push_back({{solver.place(face.vertices[0]), solver.place(face.vertices[1]), solver.place(face.vertices[2])},
@@ -216,22 +223,21 @@ public:
   /// Computes the distances from `lanes` sets of sources; linear in the number of nonzeros of the factors, times the
   /// number of stages. The result of a lane does not depend on the other lanes.
   /// \param distances of lanes with the same vector, the last one counts
-  void operator()(const Heat_operators& operators,
-                  const std::array<const std::vector<Geodesic_source>*, lanes>& source_sets,
+  void operator()(const Heat_method& method, const std::array<const std::vector<Geodesic_source>*, lanes>& source_sets,
                   const std::array<std::vector<double>*, lanes>& distances)
   {
-    m_operators = &operators;
+    m_method = &method;
     m_source_sets = source_sets;
     m_distances = distances;
     prepare();
     diffuse();
-    operators.solver.solve(Heat_operators::poisson, m_divergence);
+    method.solver.solve(Heat_method::poisson, m_divergence);
     write_distances();
   }
 
 private:
   using Row = Lanes<lanes>;
-  using Face = Heat_operators::Face;
+  using Face = Heat_method::Face;
 
   /// The power of two below which heat is left to the next stage. Numbers still have full precision down to 2^-1022:
   /// only products with a number less than 2^-122 are lost here, and every sum loses these.
@@ -255,8 +261,8 @@ private:
   };
 
   static double frontier() { return std::ldexp(1., frontier_exponent); }
-  const Cotangent_elements& elements() const { return m_operators->elements; }
-  Index place(Index vertex) const { return m_operators->solver.place(vertex); }
+  const Cotangent_elements& elements() const { return m_method->elements; }
+  Index place(Index vertex) const { return m_method->solver.place(vertex); }
   bool is_reached(Index component, std::size_t lane) const { return m_number_of_sources[component][lane] > 0; }
 
   void prepare()
@@ -265,7 +271,7 @@ private:
     m_heat.assign(n, Row::Zero());
     m_divergence.assign(n, Row::Zero());
     m_number_of_sources.assign(elements().number_of_components(), Row::Zero());
-    m_left_lanes.assign(m_operators->faces.size(), all_lanes);
+    m_left_lanes.assign(m_method->faces.size(), all_lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         add_source(source, lane);
@@ -285,13 +291,13 @@ private:
   /// Computes the heat stage by stage, and from it the divergence of its directions.
   void diffuse()
   {
-    m_operators->solver.solve(Heat_operators::heat, m_heat);
+    m_method->solver.solve(Heat_method::heat, m_heat);
     bool are_faces_left = pass_faces();
     if (are_faces_left) {
       enter_zones();
     }
     while (are_faces_left && set_frontier_sources()) {
-      m_operators->solver.solve(Heat_operators::heat, m_heat);
+      m_method->solver.solve(Heat_method::heat, m_heat);
       are_faces_left = pass_faces();
       advance_zones();
     }
@@ -326,7 +332,7 @@ private:
       if (m_left_lanes[i] == 0) {
         continue;
       }
-      const Face& face = m_operators->faces[i];
+      const Face& face = m_method->faces[i];
       Flow result = flow(face);
       if (m_left_lanes[i] == all_lanes && !(result.largest < frontier()).any()) {
         m_left_lanes[i] = 0;
@@ -393,7 +399,7 @@ private:
   {
     m_sources.assign(m_heat.size(), Row::Zero());
     bool has_sources = false;
-    for (const Face& face : m_operators->faces) {
+    for (const Face& face : m_method->faces) {
       const std::array<double, 3> couplings = face.layout.couplings();
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = face.places[(k + 1) % 3];
@@ -440,7 +446,7 @@ private:
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
-        if (source.is_vertex()) {
+        if (source.weights[0] == 1) { // a vertex
           (*m_distances[lane])[source.vertices[0]] = 0;
         }
       }
@@ -459,7 +465,7 @@ private:
     m_shifts[component][lane] += excess / m_number_of_sources[component][lane];
   }
 
-  const Heat_operators* m_operators = nullptr;
+  const Heat_method* m_method = nullptr;
   std::array<const std::vector<Geodesic_source>*, lanes> m_source_sets{};
   std::array<std::vector<double>*, lanes> m_distances{};
   // Of every vertex, in the order of elimination:
@@ -472,48 +478,27 @@ private:
   std::vector<std::uint8_t> m_left_lanes; // of every face, a bit for each that has had too little heat so far
 };
 
-/// Geodesic distance from any number of sources, on a triangulation given by its edge lengths: factored once.
-///
-/// On Delaunay triangulations a distance is exact to a few tenths of an edge where the surface is smooth, and rounded
-/// off over two or three edges on ridges, where shortest paths from different sides meet. Other triangulations should
-/// be made Delaunay first. Accuracy does not degrade with distance. All members are const and may be called by several
-/// threads at once, each with its own workspace.
-class Heat_method
+/// Computes distances by the heat method. One object serves one thread: it is working memory, 200 bytes a vertex where
+/// batches are solved, reused from call to call.
+class Heat_workspace
 {
 public:
   /// As many sets of sources are solved for at once.
   static constexpr std::size_t batch_size = 8;
 
-  /// Working memory, 200 bytes a vertex where batches are solved, reused from call to call.
-  struct Workspace
-  {
-    Heat_batch<1> single;
-    Heat_batch<batch_size> batch;
-  };
-
-  /// Factors the equations of `triangulation`, which is not referred to later; O(n^1.5), and usually nearly linear.
-  /// \param time_step_factor the duration of the heat flow, in squared mean edge lengths of the component: more is
-  ///        smoother and less exact
-  /// \pre `time_step_factor` is positive
-  /// \throw Input_error if the equations cannot be factored
-  explicit Heat_method(const Intrinsic_triangulation& triangulation, double time_step_factor = 1)
-      : m_operators(triangulation, time_step_factor)
-  {
-  }
-
   /// Computes the distance of every vertex from the nearest one of `sources`, in the unit of the lengths: 0 at vertices
   /// that are sources, infinite on components without a source, single vertices among them. Close to several sources,
   /// or to one inside a face, values may be a little below 0. Near linear in the number of vertices.
-  void operator()(const std::vector<Geodesic_source>& sources, std::vector<double>& distances,
-                  Workspace& workspace) const
+  void operator()(const Heat_method& method, const std::vector<Geodesic_source>& sources,
+                  std::vector<double>& distances)
   {
-    workspace.single(m_operators, {&sources}, {&distances});
+    m_single(method, {&sources}, {&distances});
   }
 
   /// Computes the distances from each of `source_sets` by itself, eight at a time, in about a third of the time.
   /// They are the same as one by one, bit for bit unless the compiler fuses multiplications and additions as it likes.
-  void operator()(const std::vector<std::vector<Geodesic_source>>& source_sets,
-                  std::vector<std::vector<double>>& distances, Workspace& workspace) const
+  void operator()(const Heat_method& method, const std::vector<std::vector<Geodesic_source>>& source_sets,
+                  std::vector<std::vector<double>>& distances)
   {
     // From this number of sets on, a batch takes less time than one by one.
     constexpr std::size_t min_batch = 3;
@@ -522,7 +507,7 @@ public:
       const std::size_t size = std::min(batch_size, source_sets.size() - begin);
       if (size < min_batch) {
         for (std::size_t i = begin; i < begin + size; ++i) {
-          (*this)(source_sets[i], distances[i], workspace);
+          (*this)(method, source_sets[i], distances[i]);
         }
         continue;
       }
@@ -534,14 +519,13 @@ public:
         batch_sets[lane] = &source_sets[i];
         batch_distances[lane] = &distances[i];
       }
-      workspace.batch(m_operators, batch_sets, batch_distances);
+      m_batch(method, batch_sets, batch_distances);
     }
   }
 
-  const Cotangent_elements& elements() const { return m_operators.elements; }
-
 private:
-  Heat_operators m_operators;
+  Heat_batch<1> m_single;
+  Heat_batch<batch_size> m_batch;
 };
 
 /// Estimates the distance of every vertex from the nearest one of `sources` by the heat method, for callers that ask
@@ -557,9 +541,7 @@ inline std::vector<double> distances_from_vertices(const Intrinsic_triangulation
     geodesic_sources.push_back(Geodesic_source::at_vertex(source));
   }
   std::vector<double> distances;
-  Heat_method::Workspace workspace;
-  const Heat_method method(triangulation);
-  method(geodesic_sources, distances, workspace);
+  Heat_workspace()(Heat_method(triangulation), geodesic_sources, distances);
   return distances;
 }
 

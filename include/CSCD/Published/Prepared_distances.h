@@ -8,6 +8,7 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
@@ -18,6 +19,8 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+struct Heat_method;
 
 /// Where distance is measured from: a vertex, or else a point of a face, by barycentric coordinates.
 struct Distance_source
@@ -50,8 +53,8 @@ public:
   void estimate_each(const std::vector<std::vector<Distance_source>>& source_sets, const Use& use) const;
 
 private:
-  struct Data;
-  std::shared_ptr<const Data> m_data;
+  std::shared_ptr<const Triangulated_surface> m_surface; // none for points
+  std::shared_ptr<const Heat_method> m_method;
 };
 
 } // namespace CSCD::internal

@@ -18,54 +18,36 @@
 
 namespace CSCD::internal {
 
-struct Prepared_distances::Data
-{
-  Data(Triangulated_surface&& given_surface, double time_step_factor)
-      : surface(std::move(given_surface)), method(make_intrinsic_delaunay(surface), time_step_factor)
-  {
-  }
-  Data(const Point_complex& complex, double time_step_factor)
-      : method(make_intrinsic_delaunay(Tufted_cover(complex)), time_step_factor)
-  {
-  }
-
-  Geodesic_source geodesic_source(const Distance_source& source) const
-  {
-    return source.vertex != no_index ? Geodesic_source::at_vertex(source.vertex)
-                                     : Geodesic_source::in_face(surface, source.face, source.coordinates);
-  }
-
-  Triangulated_surface surface; // empty for points
-  Heat_method method;
-};
-
 CSCD_INLINE Prepared_distances::Prepared_distances(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                                    double time_step_factor)
-    : m_data(std::make_shared<const Data>(Triangulated_surface(std::move(triangles), std::move(pairing)),
-                                          time_step_factor))
+    : m_surface(std::make_shared<const Triangulated_surface>(std::move(triangles), std::move(pairing))),
+      m_method(std::make_shared<const Heat_method>(make_intrinsic_delaunay(*m_surface), time_step_factor))
 {
 }
 
 CSCD_INLINE Prepared_distances::Prepared_distances(const Point_cloud& cloud, double time_step_factor)
-    : m_data(std::make_shared<const Data>(build_point_complex(cloud), time_step_factor))
 {
+  const Point_complex complex = build_point_complex(cloud);
+  m_method = std::make_shared<const Heat_method>(make_intrinsic_delaunay(Tufted_cover(complex)), time_step_factor);
 }
 
 CSCD_INLINE void Prepared_distances::estimate_each(const std::vector<std::vector<Distance_source>>& source_sets,
                                                    const Use& use) const
 {
-  Heat_method::Workspace workspace;
+  Heat_workspace workspace;
   std::vector<std::vector<double>> distances;
   std::vector<std::vector<Geodesic_source>> batch;
-  for (std::size_t begin = 0; begin < source_sets.size(); begin += Heat_method::batch_size) {
+  for (std::size_t begin = 0; begin < source_sets.size(); begin += Heat_workspace::batch_size) {
     batch.clear();
-    for (std::size_t i = begin; i < std::min(begin + Heat_method::batch_size, source_sets.size()); ++i) {
+    for (std::size_t i = begin; i < std::min(begin + Heat_workspace::batch_size, source_sets.size()); ++i) {
       batch.emplace_back();
       for (const Distance_source& source : source_sets[i]) {
-        batch.back().push_back(m_data->geodesic_source(source));
+        batch.back().push_back(source.vertex != no_index
+                                   ? Geodesic_source::at_vertex(source.vertex)
+                                   : Geodesic_source::in_face(*m_surface, source.face, source.coordinates));
       }
     }
-    m_data->method(batch, distances, workspace);
+    workspace(*m_method, batch, distances);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       use(distances[i]);
     }

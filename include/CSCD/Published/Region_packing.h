@@ -441,8 +441,6 @@ public:
   Index size() const { return m_size; }
   /// The region of `vertex`.
   Index operator[](Index vertex) const { return m_front.label(vertex); }
-  /// The distance of `vertex` from its separator along the edges.
-  float distance(Index vertex) const { return m_front.distance(vertex); }
   /// Whether a separator passes closest to `vertex`.
   bool is_on_separator(Index vertex) const { return m_front.distance(vertex) == 0; }
 

@@ -141,23 +141,23 @@ public:
     for (const Index source : group.sources) {
       m_source_sets.push_back({Geodesic_source::at_vertex(source)});
     }
-    m_space.heat_method()(m_source_sets, m_distances, m_workspace);
+    m_workspace(m_space.heat_method(), m_source_sets, m_distances);
     group.set_distance(m_distances.front().size());
     for (std::size_t i = 0; i < group.sources.size(); ++i) {
       const std::vector<double>& distances = m_distances[i];
       for (std::size_t vertex = 0; vertex < distances.size(); ++vertex) {
         group.distance[vertex] = std::min(group.distance[vertex], float(distances[vertex]));
       }
-      m_finder(group.sources[i], distances, group.results[i]);
+      (*m_finder)(group.sources[i], distances, group.results[i]);
     }
   }
 
 private:
   const Space& m_space;
-  Heat_method::Workspace m_workspace;
+  Heat_workspace m_workspace;
   std::vector<std::vector<Geodesic_source>> m_source_sets;
   std::vector<std::vector<double>> m_distances;
-  typename Space::Finder m_finder;
+  std::unique_ptr<typename Space::Finder> m_finder;
 };
 
 /// The levels of detail on which distances are computed (supplement, K.2), prepared once, shared by all threads. Of
@@ -209,7 +209,7 @@ public:
         m_shorten(m_levels.finest().surface, space.finest_triangulation())
   {
     for (Index level = space.finest_level(); level <= space.coarsest_level(); ++level) {
-      m_finders.push_back(std::make_unique<Finder>(space[level]));
+      m_finders.push_back(space[level].make_finder());
     }
   }
 
@@ -228,13 +228,6 @@ private:
   /// warrior: with 8 errors are greater and tips fewer; with 16 nothing is gained.
   static constexpr double min_edges_of_loop = 12;
 
-  struct Finder
-  {
-    explicit Finder(const Multiscale_search_space::Level_space& space) : find(space.make_finder()) {}
-    Multiscale_search_space::Level_space::Finder find;
-    Heat_method::Workspace workspace;
-  };
-
   /// A source on a level: in a face, and the corner of it that is nearest by barycentric coordinates.
   struct Level_source
   {
@@ -247,14 +240,14 @@ private:
   void search_level(Index level, Source_group& group)
   {
     const auto& space = m_space[level];
-    Finder& finder = *m_finders[level - m_space.finest_level()];
+    auto& finder = *m_finders[level - m_space.finest_level()];
     m_level_sources.clear();
     m_source_sets.clear();
     for (const std::size_t i : m_pending) {
       m_level_sources.push_back(source_on_level(m_levels[level], group.sources[i]));
       m_source_sets.push_back({m_level_sources.back().source});
     }
-    space.heat_method()(m_source_sets, m_distances, finder.workspace);
+    m_workspace(space.heat_method(), m_source_sets, m_distances);
     if (level == m_space.coarsest_level()) {
       take_distances(group);
     }
@@ -262,10 +255,10 @@ private:
     for (std::size_t k = 0; k < m_pending.size(); ++k) {
       Field_search_result& result = group.results[m_pending[k]];
       if (level == 0) {
-        finder.find(group.sources[m_pending[k]], m_distances[k], result);
+        finder(group.sources[m_pending[k]], m_distances[k], result);
         continue;
       }
-      const Cut_loop& loop = finder.find.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_distances[k]);
+      const Cut_loop& loop = finder.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_distances[k]);
       const bool is_found = loop.outcome == Cut_loop_outcome::found;
       if (level > m_space.finest_level() &&
           !(is_found && 2 * loop.distance >= min_edges_of_loop * space.mean_edge_length())) {
@@ -371,7 +364,9 @@ private:
 
   const Multiscale_search_space& m_space;
   const Surface_levels& m_levels;
-  std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
+  std::vector<std::unique_ptr<Multiscale_search_space::Level_space::Finder>>
+      m_finders; ///< of the levels that have distances
+  Heat_workspace m_workspace;
   Loop_projection m_projection;
   Separator_flip_shortening<Triangulated_surface> m_shorten; ///< on the finest level
   std::vector<std::size_t> m_pending;                        ///< places in the group
@@ -395,7 +390,7 @@ class Sampled_search
 public:
   /// \pre `field_settings.is_multiscale` only if `surface` is a `Triangulated_solid`
   Sampled_search(const Surface& surface, const Options& settings, const Field_search_settings& field_settings)
-      : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_method::batch_size),
+      : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_workspace::batch_size),
         m_round_size(field_settings.sampling_rule == Sampling_rule::one_by_one ? 1 : m_group_size * max_groups),
         m_sampling(shares(surface.triangulation(), field_settings.sampling_rule), settings.random_seed),
         m_for_each(make_search_factory(surface, field_settings), settings.number_of_threads)
@@ -425,7 +420,7 @@ public:
 
 private:
   /// So many that those which need a finer level fill batches there.
-  static constexpr std::size_t multiscale_group_size = 4 * Heat_method::batch_size;
+  static constexpr std::size_t multiscale_group_size = 4 * Heat_workspace::batch_size;
   /// A round is enough for a few threads, and little against the number of all sources.
   static constexpr std::size_t max_groups = 4;
 

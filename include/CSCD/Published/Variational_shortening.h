@@ -310,7 +310,11 @@ public:
       m_curve.push_back(m_projection(sample, near));
       near = m_curve.back().site;
     }
-    const Shortening_outcome outcome = shorten(center, radius);
+    m_center = center;
+    m_radius = radius;
+    const double first_length = length();
+    m_unit = first_length / double(size());
+    const Shortening_outcome outcome = first_length > 0 ? minimize(first_length) : Shortening_outcome::collapsed;
     points.resize(number_of_samples);
     for (std::size_t i = 0; i < number_of_samples; ++i) {
       points[i] = m_curve[i].point;
@@ -341,19 +345,6 @@ private:
 
   std::size_t size() const { return m_curve.size(); }
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
-
-  /// Iterates to the least energy. The gradient is made tangential and spread along the curve by the inverse of the
-  /// chain's stiffness: without that, the number of iterations grows with that of the points. The step is that of
-  /// Barzilai and Borwein, "Two-point step size gradient methods" (1988), halved until the energy sinks enough
-  /// (Armijo), and every point is projected back to the surface.
-  Shortening_outcome shorten(const Vector3& center, double radius)
-  {
-    m_center = center;
-    m_radius = radius;
-    const double first_length = length();
-    m_unit = first_length / double(size());
-    return first_length > 0 ? minimize(first_length) : Shortening_outcome::collapsed;
-  }
 
   double length() const
   {
@@ -438,6 +429,10 @@ private:
     return sum;
   }
 
+  /// Iterates to the least energy. The gradient is made tangential and spread along the curve by the inverse of the
+  /// chain's stiffness: without that, the number of iterations grows with that of the points. The step is that of
+  /// Barzilai and Borwein, "Two-point step size gradient methods" (1988), halved until the energy sinks enough
+  /// (Armijo), and every point is projected back to the surface.
   Shortening_outcome minimize(double first_length)
   {
     double last_energy = energy(m_curve);
