@@ -7,7 +7,6 @@
 #define CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
 
 #include <CSCD/Published/Intrinsic_triangulation.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -38,18 +37,6 @@ struct Face_layout
     const double scale = -1 / (2 * base * apex_y);
     return {scale * base * apex_x, scale * base * (base - apex_x),
             scale * (apex_y * apex_y - apex_x * (base - apex_x))};
-  }
-
-  /// The position of the point with these barycentric coordinates.
-  std::array<double, 2> point(const std::array<double, 3>& coordinates) const
-  {
-    return {coordinates[1] * base + coordinates[2] * apex_x, coordinates[2] * apex_y};
-  }
-
-  std::array<double, 2> corner(std::size_t i) const
-  {
-    return i == 0 ? std::array<double, 2>{0, 0}
-                  : (i == 1 ? std::array<double, 2>{base, 0} : std::array<double, 2>{apex_x, apex_y});
   }
 };
 

@@ -15,7 +15,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -274,9 +273,10 @@ inline std::vector<Index> faces_of_sources(const Cut_locus_indicators& measures,
 
 /// Unites the faces of a triangulation across its edges in order of distance, so that they make one disc around each
 /// source: an edge that would close a ring of faces, or join the discs of two sources, is not crossed. So the cut locus
-/// is not crossed, since there the discs meet. Borders count as closed by discs. Edges between vertices that have a
-/// distance are crossed, except edges where `is_blocked(h)` holds; edges where `is_last(h)` holds come after the
-/// others. O(m log m) for m faces. \param sources those that are neighbors share a disc
+/// is not crossed, since there the discs meet. Borders count as closed by discs. Edges where `is_blocked(h)` holds are
+/// not crossed, nor those of vertices without a distance; edges where `is_last(h)` holds come after the others.
+/// O(m log m) for m faces.
+/// \param sources those that are neighbors share a disc
 /// \return a halfedge of each edge that was neither blocked nor crossed
 template <class IsBlocked, class IsLast>
 std::vector<Index> uncrossed_edges(const Cut_locus_indicators& measures, const std::vector<Index>& sources,

@@ -90,15 +90,20 @@ public:
     m_touched.clear();
   }
 
+  /// A part of the path.
+  struct Segment
+  {
+    Index halfedge; ///< `no_index` where the segment is removed
+    Index previous; ///< `no_index` at the ends of an open path
+    Index next;
+    Index left;    ///< the next strand on the left of the halfedge
+    Index right;   ///< and on its right
+    Index version; ///< how often the next segment has changed
+  };
+
   /// \name Segments
   /// @{
-  Index halfedge(Index segment) const { return m_segments[segment].halfedge; }
-  /// `no_index` at the ends of an open path.
-  Index next(Index segment) const { return m_segments[segment].next; }
-  Index previous(Index segment) const { return m_segments[segment].previous; }
-  bool is_removed(Index segment) const { return m_segments[segment].halfedge == no_index; }
-  /// How often the next segment has changed.
-  Index version(Index segment) const { return m_segments[segment].version; }
+  const Segment& operator[](Index segment) const { return m_segments[segment]; }
 
   /// Makes `second`, or nothing, follow `first`, or nothing.
   void link(Index first, Index second)
@@ -174,16 +179,6 @@ public:
   /// @}
 
 private:
-  struct Segment
-  {
-    Index halfedge;
-    Index previous;
-    Index next;
-    Index left;  // the next strand on the left of the halfedge
-    Index right; // and on its right
-    Index version;
-  };
-
   /// The strand next to `segment` on the side of the face of `halfedge`, the halfedge of the segment or its twin.
   Index& neighbor(Index segment, Index halfedge)
   {
@@ -307,7 +302,7 @@ private:
     while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
       const Bend bend = m_bends.top();
       m_bends.pop();
-      if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
+      if (m_path[bend.segment].halfedge != no_index && m_path[bend.segment].version == bend.version) {
         straighten(bend);
         m_is_collapsed = m_is_collapsed || (is_closed && m_length < collapsed_part * m_first_length);
         --steps_left;
@@ -336,7 +331,7 @@ private:
       last = segment;
     }
     if (is_closed && last != no_index) {
-      CGAL_precondition(vertex_behind(last) == m_triangulation.origin(m_path.halfedge(m_first)));
+      CGAL_precondition(vertex_behind(last) == m_triangulation.origin(m_path[m_first].halfedge));
       m_path.link(last, m_first);
     }
     m_first_length = m_length;
@@ -348,7 +343,7 @@ private:
     Index segment = m_is_collapsed ? no_index : m_first;
     while (segment != no_index) {
       function(segment);
-      segment = m_path.next(segment);
+      segment = m_path[segment].next;
       if (segment == m_first) {
         return;
       }
@@ -357,18 +352,18 @@ private:
 
   /// \name Bends
   /// @{
-  Index vertex_behind(Index segment) const { return m_triangulation.target(m_path.halfedge(segment)); }
+  Index vertex_behind(Index segment) const { return m_triangulation.target(m_path[segment].halfedge); }
 
   bool is_backtrack(Index segment) const
   {
-    return m_triangulation.twin(m_path.halfedge(segment)) == m_path.halfedge(m_path.next(segment));
+    return m_triangulation.twin(m_path[segment].halfedge) == m_path[m_path[segment].next].halfedge;
   }
 
   /// The halfedges from the vertex behind `segment` between which the angle on one side lies, counterclockwise.
   std::pair<Index, Index> sides(Index segment, bool is_left)
   {
-    const Index back = m_triangulation.twin(m_path.halfedge(segment));
-    const Index forth = m_path.halfedge(m_path.next(segment));
+    const Index back = m_triangulation.twin(m_path[segment].halfedge);
+    const Index forth = m_path[m_path[segment].next].halfedge;
     return is_left ? std::make_pair(forth, back) : std::make_pair(back, forth);
   }
 
@@ -399,16 +394,16 @@ private:
   /// Queues the bends behind `segment`. Parts straight back are taken out even where vertices are pinned.
   void queue(Index segment)
   {
-    if (m_path.next(segment) == no_index) {
+    if (m_path[segment].next == no_index) {
       return;
     }
     if (is_backtrack(segment)) {
-      m_bends.push({0., segment, m_path.version(segment), true});
+      m_bends.push({0., segment, m_path[segment].version, true});
     } else if (!m_is_pinned(vertex_behind(segment))) {
       for (const bool is_left : {true, false}) {
         const double angle = angle_behind(segment, is_left);
         if (!is_straight(angle)) {
-          m_bends.push({angle, segment, m_path.version(segment), is_left});
+          m_bends.push({angle, segment, m_path[segment].version, is_left});
         }
       }
     }
@@ -421,7 +416,7 @@ private:
   {
     if (is_backtrack(bend.segment)) {
       take_out_backtrack(bend);
-    } else if (m_path.next(bend.segment) == bend.segment) {
+    } else if (m_path[bend.segment].next == bend.segment) {
       take_off_vertex(bend);
     } else {
       pass_over_vertex(bend);
@@ -430,7 +425,7 @@ private:
 
   void take_out_backtrack(const Bend& bend)
   {
-    if (!m_path.are_side_by_side(bend.segment, m_path.next(bend.segment))) {
+    if (!m_path.are_side_by_side(bend.segment, m_path[bend.segment].next)) {
       m_blocked.push_back(bend);
       return;
     }
@@ -451,9 +446,9 @@ private:
     for (const Index side : m_arc) {
       length += m_triangulation.length(side);
     }
-    const Index next = m_path.next(bend.segment);
+    const Index next = m_path[bend.segment].next;
     if (length <
-        m_triangulation.length(m_path.halfedge(bend.segment)) + m_triangulation.length(m_path.halfedge(next))) {
+        m_triangulation.length(m_path[bend.segment].halfedge) + m_triangulation.length(m_path[next].halfedge)) {
       replace_segments_at(bend);
     }
   }
@@ -462,7 +457,7 @@ private:
   bool is_clear(const Bend& bend)
   {
     const auto [first, last] = sides(bend.segment, bend.is_left);
-    const Index next = m_path.next(bend.segment);
+    const Index next = m_path[bend.segment].next;
     if (m_path.outermost(first) != (bend.is_left ? next : bend.segment) ||
         m_path.outermost(m_triangulation.twin(last)) != (bend.is_left ? bend.segment : next)) {
       return false;
@@ -511,7 +506,7 @@ private:
   /// sides of the face there, and then taken over the vertex. It may be longer for a while, hence what it was is kept.
   void take_off_vertex(const Bend& bend)
   {
-    const Index along = m_path.halfedge(bend.segment);
+    const Index along = m_path[bend.segment].halfedge;
     const Index h = bend.is_left ? along : m_triangulation.twin(along);
     const Index after = Triangle_halfedges::next(h);
     const Index before = Triangle_halfedges::previous(h);
@@ -525,13 +520,14 @@ private:
     }
     ++m_number_of_single_steps;
     m_length_of_single = m_length;
-    m_arc = {after, before};
     if (bend.is_left) {
-      std::swap(m_arc.front(), m_arc.back());
+      m_arc = {before, after};
+    } else {
+      m_arc = {after, before};
     }
     replace_segments_at(bend);
-    const Index last = m_path.previous(m_first);
-    pass_over_vertex({0., last, m_path.version(last), bend.is_left});
+    const Index last = m_path[m_first].previous;
+    pass_over_vertex({0., last, m_path[last].version, bend.is_left});
   }
 
   /// Replaces the segment of `bend` and the next one, which may be the same, by `m_arc`, and queues the bends that this
@@ -539,9 +535,9 @@ private:
   void replace_segments_at(const Bend& bend)
   {
     const Index segment = bend.segment;
-    const Index next = m_path.next(segment);
-    const Index before = m_path.previous(segment);
-    const Index after = m_path.next(next);
+    const Index next = m_path[segment].next;
+    const Index before = m_path[segment].previous;
+    const Index after = m_path[next].next;
     const bool is_all = before == next; // of a closed path
     remove(segment);
     if (next != segment) {
@@ -573,14 +569,14 @@ private:
 
   void remove(Index segment)
   {
-    m_length -= m_triangulation.length(m_path.halfedge(segment));
+    m_length -= m_triangulation.length(m_path[segment].halfedge);
     m_path.remove(segment);
   }
 
   /// Links the added segments between `before` and `after`; each of these two may be nothing.
   void connect(Index before, Index after)
   {
-    if (m_path.is_removed(m_first) || before == no_index) {
+    if (m_path[m_first].halfedge == no_index || before == no_index) {
       m_first = !m_added.empty() ? m_added.front() : after != no_index ? after : before;
     }
     m_is_collapsed = m_first == no_index;
@@ -602,7 +598,7 @@ private:
     path.length = 0;
     Index last = no_index;
     for_each_segment([&](Index segment) {
-      last = m_path.halfedge(segment);
+      last = m_path[segment].halfedge;
       path.length += m_triangulation.length(last);
       path.points.push_back({m_triangulation.input_halfedge(last), 0.});
       const std::vector<Edge_crossing> crossings = m_triangulation.trace(last);
@@ -617,7 +613,7 @@ private:
   {
     Shortening_outcome result = m_is_collapsed ? Shortening_outcome::collapsed : Shortening_outcome::straight;
     for_each_segment([&](Index segment) {
-      const bool is_end = m_path.next(segment) == no_index;
+      const bool is_end = m_path[segment].next == no_index;
       if (!is_end && (!is_straight(angle_behind(segment, true)) || !is_straight(angle_behind(segment, false)))) {
         if (!m_is_pinned(vertex_behind(segment))) {
           result = Shortening_outcome::unfinished;

@@ -36,8 +36,8 @@ template <class Surface>
 class Separator_flip_shortening
 {
 public:
-  /// Linear. \param surface is referred to, as \param triangulation, an intrinsic one of it: curves are given on its
-  /// edges
+  /// Linear.
+  /// \param surface is referred to, as \param triangulation, an intrinsic one of it, on whose edges curves are given
   Separator_flip_shortening(const Surface& surface, const Intrinsic_triangulation& triangulation)
       : m_surface(surface), m_triangulation(triangulation), m_shortening(triangulation)
   {
@@ -45,7 +45,7 @@ public:
 
   /// Shortens the closed curve along `halfedges` within the ball around the vertex `source`, and sets the crossings and
   /// measures of `separator`. The curve is moved off the vertices that it passes, so that it only crosses edges.
-  /// \return `collapsed`, and `separator` is none, also where fewer than three edges are crossed
+  /// \return `collapsed`, and `separator` must not be used, also where fewer than three edges are crossed
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
     const std::vector<Vector3>& points = m_surface.points();
@@ -84,9 +84,9 @@ private:
 class Separator_variational_shortening
 {
 public:
-  /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
-  Separator_variational_shortening(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
-      : m_complex(complex), m_shortening(complex, neighborhoods), m_trace(complex)
+  /// \param projection that of `complex`; both are referred to and must outlive this object
+  Separator_variational_shortening(const Point_complex& complex, const Moving_least_squares_projection& projection)
+      : m_complex(complex), m_shortening(projection), m_trace(complex)
   {
   }
 
@@ -147,8 +147,8 @@ class Field_separator_finder
 public:
   using Frames = typename Measures::Frames;
 
-  /// \param frames is referred to, as \param points, the positions of the vertices, and \param settings, which cut point is
-  ///        the target, and what cut points are
+  /// \param frames is referred to, as \param points, the positions of the vertices, and \param settings: which cut
+  ///        point is the target, and what cut points are
   /// \param domain, data what `Shortening` is constructed with
   template <class Domain, class Data>
   Field_separator_finder(const Frames& frames, const std::vector<Vector3>& points,
@@ -255,7 +255,7 @@ public:
   /// \param complex is referred to and must outlive this object
   Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
       : m_complex(complex), m_settings(settings), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
-        m_frames(complex, m_heat_method.elements), m_neighborhoods(complex)
+        m_frames(complex, m_heat_method.elements), m_projection(complex)
   {
   }
   Field_search_space(Point_complex&&, const Field_search_settings&) = delete;
@@ -265,7 +265,7 @@ public:
   /// Makes a finder, which refers to this object.
   std::unique_ptr<Finder> make_finder() const
   {
-    return std::make_unique<Finder>(m_frames, m_complex.points(), m_settings, m_complex, m_neighborhoods);
+    return std::make_unique<Finder>(m_frames, m_complex.points(), m_settings, m_complex, m_projection);
   }
 
 private:
@@ -273,7 +273,7 @@ private:
   Field_search_settings m_settings;
   Heat_method m_heat_method;
   Point_frames m_frames;
-  Point_neighborhoods m_neighborhoods;
+  Moving_least_squares_projection m_projection;
 };
 
 } // namespace CSCD::internal

@@ -27,7 +27,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -137,17 +136,19 @@ struct Geodesic_source
                                         triangulation.length(3 * face + 2)};
     const double unit = (lengths[0] + lengths[1] + lengths[2]) / 3;
     const Face_layout layout = lay_out_face(lengths, unit > 0 ? unit : 1.);
-    const std::array<double, 2> point = layout.point(coordinates);
+    const std::array<double, 3> x{0, layout.base, layout.apex_x};
+    const std::array<double, 3> y{0, 0, layout.apex_y};
+    const double source_x = coordinates[1] * layout.base + coordinates[2] * layout.apex_x;
+    const double source_y = coordinates[2] * layout.apex_y;
     Geodesic_source result{};
     for (Index k = 0; k < 3; ++k) {
       const Index corner = triangulation.origin(3 * face + k);
       if (coordinates[k] == 1) {
         return at_vertex(corner);
       }
-      const std::array<double, 2> position = layout.corner(k);
       result.vertices[k] = corner;
       result.weights[k] = coordinates[k];
-      result.distances[k] = std::hypot(position[0] - point[0], position[1] - point[1]);
+      result.distances[k] = std::hypot(x[k] - source_x, y[k] - source_y);
     }
     return result;
   }

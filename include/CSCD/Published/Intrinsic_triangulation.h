@@ -11,8 +11,6 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 
-#include <CGAL/assertions.h>
-
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 
@@ -139,8 +137,8 @@ class Intrinsic_triangulation : public Triangle_halfedges
 {
 public:
   /// Takes over all faces of `input`, which is not referred to later. Linear.
-  /// \tparam Triangulation halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()` (`no_index` on a
-  ///         border) and `length()`
+  /// \tparam Triangulation has halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`, which is
+  ///         `no_index` on a border, and `length()`
   template <class Triangulation>
   explicit Intrinsic_triangulation(const Triangulation& input) : Intrinsic_triangulation(input, input.number_of_faces())
   {

@@ -13,7 +13,6 @@
 #include <CSCD/internal/config.h>
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>

@@ -19,8 +19,6 @@
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -75,12 +75,11 @@ public:
     }
   }
 
-  /// Takes note of a source: `distance(vertex)` is the geodesic distance from it, infinite where it does not reach.
-  template <class Distance>
-  void add_source(const Distance& distance)
+  /// Takes note of sources: `distance` is the geodesic distance from them, infinite where none reaches.
+  void add_sources(const std::vector<float>& distance)
   {
     for (std::size_t vertex = 0; vertex < m_distance.size(); ++vertex) {
-      m_distance[vertex] = std::min(m_distance[vertex], std::max(0., double(distance(Index(vertex)))));
+      m_distance[vertex] = std::min(m_distance[vertex], std::max(0., double(distance[vertex])));
     }
   }
 
@@ -470,7 +469,7 @@ private:
     }
     m_for_each(number_of_groups(), [this](Index group, const Group_search& search) { search(m_groups[group]); });
     for (Index group = 0; group < number_of_groups(); ++group) {
-      m_sampling.add_source([&](Index vertex) { return m_groups[group].distance[vertex]; });
+      m_sampling.add_sources(m_groups[group].distance);
     }
   }
 

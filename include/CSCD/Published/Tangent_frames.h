@@ -11,7 +11,6 @@
 #include <CSCD/Published/Cotangent_elements.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
@@ -35,7 +34,7 @@ inline constexpr double area_of_unit_spacing = 0.8660254037844386;
 
 /// A polar frame at every vertex, where vectors are complex numbers: angles between the edges around a vertex are
 /// scaled to add up to a full turn; on a border they stay as they are. The first outgoing halfedge points along the
-/// real axis.
+/// real axis. The faces around each vertex form one fan.
 class Tangent_frames
 {
 public:

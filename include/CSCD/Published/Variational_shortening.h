@@ -12,7 +12,6 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -24,79 +23,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// For every vertex of a point complex, how far it matters to the surface around it, and the vertices that matter to
-/// the surface near it. These are reached over edges, through vertices whose normals look to the same side: so points
-/// of another sheet that passes nearby are not among them. Const and thread safe.
-class Point_neighborhoods
-{
-public:
-  /// Collects the neighborhoods; linear, with some forty vertices in each.
-  explicit Point_neighborhoods(const Point_complex& complex)
-  {
-    const Index n = complex.number_of_vertices();
-    m_radius.reserve(n);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      m_radius.push_back(support * mean_edge_length(complex, vertex));
-    }
-    Epoch_marks is_met(n);
-    m_begin.reserve(std::size_t(n) + 1);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      m_begin.push_back(m_neighbors.size());
-      collect(complex, vertex, is_met);
-    }
-    m_begin.push_back(m_neighbors.size());
-  }
-
-  /// The vertices around `vertex`, itself among them: all whose radius a point may come into that is nearest to it.
-  CGAL::Iterator_range<const Index*> neighbors(Index vertex) const
-  {
-    return {m_neighbors.data() + m_begin[vertex], m_neighbors.data() + m_begin[vertex + 1]};
-  }
-  /// Within this distance `vertex` matters; zero for one without edges.
-  double radius(Index vertex) const { return m_radius[vertex]; }
-  /// The mean length of the edges at `vertex`.
-  double spacing(Index vertex) const { return m_radius[vertex] / support; }
-
-private:
-  /// The radius relative to the mean length of the edges at a vertex: some twenty-five points lie within it, and ten
-  /// have much weight; with fewer, noise is seen, with more, round parts are flattened.
-  static constexpr double support = 2.5;
-  /// Points that are nearest to a vertex are about so far from it at most, relative to the same length.
-  static constexpr double reach = 0.6;
-
-  static double mean_edge_length(const Point_complex& complex, Index vertex)
-  {
-    double sum = 0;
-    std::size_t number = 0;
-    for (const Index h : complex.outgoing(vertex)) {
-      sum += complex.length(h);
-      ++number;
-    }
-    return number == 0 ? 0. : sum / double(number);
-  }
-
-  void collect(const Point_complex& complex, Index vertex, Epoch_marks& is_met)
-  {
-    const double distance = m_radius[vertex] * (1 + reach / support);
-    is_met.clear();
-    is_met.mark(vertex);
-    m_neighbors.push_back(vertex);
-    for (std::size_t i = m_begin[vertex]; i < m_neighbors.size(); ++i) {
-      for (const Index h : complex.outgoing(m_neighbors[i])) {
-        const Index target = complex.target(h);
-        if ((complex.point(target) - complex.point(vertex)).squaredNorm() <= distance * distance &&
-            complex.normal(target).dot(complex.normal(vertex)) > 0 && is_met.mark(target)) {
-          m_neighbors.push_back(target);
-        }
-      }
-    }
-  }
-
-  std::vector<double> m_radius;
-  std::vector<std::size_t> m_begin;
-  std::vector<Index> m_neighbors;
-};
 
 /// A point of the surface of a point complex.
 struct Projected_point
@@ -112,15 +38,27 @@ struct Projected_point
 /// normals n_i; n is the weighted mean of the n_i. This is a plane fit with oriented normals, except that n is added to
 /// n_i: a chord of a circle is perpendicular to the sum of the normals at its ends, so a sphere is met exactly, while a
 /// plane fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019).
-/// Only points of the sheet of the site count. The site is sought over edges from the last one: so no point jumps to
-/// another sheet. Const and thread safe.
+/// Only points of the sheet of the site count: those that pass nearby on another sheet are not among its neighbors. The
+/// site is sought over edges from the last one: so no point jumps to another sheet. Const and thread safe.
 class Moving_least_squares_projection
 {
 public:
-  /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
-  Moving_least_squares_projection(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
-      : m_complex(complex), m_neighborhoods(neighborhoods)
+  /// Collects the neighbors of every vertex; linear, with some forty of each.
+  /// \param complex is referred to and must outlive this object
+  explicit Moving_least_squares_projection(const Point_complex& complex) : m_complex(complex)
   {
+    const Index n = complex.number_of_vertices();
+    m_radius.reserve(n);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      m_radius.push_back(support * mean_edge_length(vertex));
+    }
+    Epoch_marks is_met(n);
+    m_begin.reserve(std::size_t(n) + 1);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      m_begin.push_back(m_neighbors.size());
+      collect(vertex, is_met);
+    }
+    m_begin.push_back(m_neighbors.size());
   }
 
   /// O(k) for k points around the site, and the steps to it. Where no point is near enough, as over a hole of the
@@ -130,7 +68,7 @@ public:
   {
     CGAL_precondition(near != no_index);
     Projected_point result{point, Vector3::Zero(), nearest(point, near)};
-    const double small_height = min_height * m_neighborhoods.spacing(result.site);
+    const double small_height = min_height * (m_radius[result.site] / support);
     for (int i = 0; i < max_iterations; ++i) {
       const double height = fit(result);
       result.point -= height * result.normal;
@@ -143,8 +81,44 @@ public:
 
 private:
   static constexpr int max_iterations = 4; // of a projection
-  /// Less is not worth an iteration, relative to the spacing of the points.
+  /// Less is not worth an iteration, relative to the mean length of the edges at the site.
   static constexpr double min_height = 1e-2;
+
+  /// The radius relative to the mean length of the edges at a vertex: some twenty-five points lie within it, and ten
+  /// have much weight; with fewer, noise is seen, with more, round parts are flattened.
+  static constexpr double support = 2.5;
+  /// Points that are nearest to a vertex are about so far from it at most, relative to the same length.
+  static constexpr double reach = 0.6;
+
+  double mean_edge_length(Index vertex) const
+  {
+    double sum = 0;
+    std::size_t number = 0;
+    for (const Index h : m_complex.outgoing(vertex)) {
+      sum += m_complex.length(h);
+      ++number;
+    }
+    return number == 0 ? 0. : sum / double(number);
+  }
+
+  /// Appends the vertices around `vertex`, itself among them: all whose radius a point may come into that is nearest to
+  /// it. They are reached over edges, through vertices whose normals look to the same side.
+  void collect(Index vertex, Epoch_marks& is_met)
+  {
+    const double distance = m_radius[vertex] * (1 + reach / support);
+    is_met.clear();
+    is_met.mark(vertex);
+    m_neighbors.push_back(vertex);
+    for (std::size_t i = m_begin[vertex]; i < m_neighbors.size(); ++i) {
+      for (const Index h : m_complex.outgoing(m_neighbors[i])) {
+        const Index target = m_complex.target(h);
+        if ((m_complex.point(target) - m_complex.point(vertex)).squaredNorm() <= distance * distance &&
+            m_complex.normal(target).dot(m_complex.normal(vertex)) > 0 && is_met.mark(target)) {
+          m_neighbors.push_back(target);
+        }
+      }
+    }
+  }
 
   /// Goes on to the nearest neighbor that looks to the same side until none is nearer.
   Index nearest(const Vector3& point, Index vertex) const
@@ -173,9 +147,10 @@ private:
     double height = 0; // of the point above the tangent planes
     Vector3 offset = Vector3::Zero();
     Vector3 normal = Vector3::Zero();
-    for (const Index vertex : m_neighborhoods.neighbors(projected.site)) {
+    for (std::size_t i = m_begin[projected.site]; i < m_begin[projected.site + 1]; ++i) {
+      const Index vertex = m_neighbors[i];
       const Vector3 difference = projected.point - m_complex.point(vertex);
-      const double radius = m_neighborhoods.radius(vertex);
+      const double radius = m_radius[vertex];
       const double rest = 1 - difference.squaredNorm() / (radius * radius);
       if (rest > 0) {
         const double weight = rest * rest * rest * rest;
@@ -197,7 +172,9 @@ private:
   }
 
   const Point_complex& m_complex;
-  const Point_neighborhoods& m_neighborhoods;
+  std::vector<double> m_radius;     // of every vertex: within this distance it matters to the surface
+  std::vector<std::size_t> m_begin; // of the neighbors of every vertex, and the end of the last ones
+  std::vector<Index> m_neighbors;
 };
 
 /// Replaces `right_side` by the solution of a closed chain: row i has `diagonal[i]`, and -`coupling[i]` for its
@@ -279,11 +256,8 @@ inline void resample_polygon(const std::vector<Vector3>& points, std::size_t num
 class Variational_shortening
 {
 public:
-  /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
-  Variational_shortening(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
-      : m_projection(complex, neighborhoods)
-  {
-  }
+  /// \param projection is referred to and must outlive this object
+  explicit Variational_shortening(const Moving_least_squares_projection& projection) : m_projection(projection) {}
 
   /// Weight of leaving the ball, lambda, that of the supplement: a curve under full tension leaves the ball by about a
   /// hundredth of its sides times its number of turns.
@@ -516,7 +490,7 @@ private:
     return change > 0 ? step * step * slope / change : std::numeric_limits<double>::max();
   }
 
-  Moving_least_squares_projection m_projection;
+  const Moving_least_squares_projection& m_projection;
   Vector3 m_center = Vector3::Zero();
   double m_radius = 0;
   double m_unit = 1; // the mean side of the polygon to begin with
