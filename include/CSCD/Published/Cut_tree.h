@@ -37,7 +37,6 @@ struct Org_tree
   std::vector<Index> parent;     ///< `no_index` for roots, and for vertices that are not in the tree
   std::vector<Index> halfedge;   ///< between a vertex and its parent, in either direction
   std::vector<Index> order;      ///< all vertices of the tree, parents before children
-  std::vector<Index> roots;      ///< the farthest vertices of the components
 };
 
 /// Adds the tree of the component of `root` to `tree`.
@@ -51,7 +50,6 @@ void grow_tree(const Measures& measures, Index root, std::vector<char>& is_attac
     tree.order.push_back(vertex);
     queue.emplace(tree.laplacian[vertex], vertex);
   };
-  tree.roots.push_back(root);
   attach(root);
   while (!queue.empty()) {
     const Index vertex = queue.top().second;
@@ -74,7 +72,7 @@ Org_tree grow_org_tree(const Measures& measures, const std::vector<char>& is_on_
 {
   const std::size_t size = is_on_loop.size();
   Org_tree tree{
-      std::vector<double>(size, 0), std::vector<Index>(size, no_index), std::vector<Index>(size, no_index), {}, {}};
+      std::vector<double>(size, 0), std::vector<Index>(size, no_index), std::vector<Index>(size, no_index), {}};
   std::vector<Index> by_distance;
   for (Index vertex = 0; vertex < size; ++vertex) {
     if (measures.is_reached(vertex)) {
@@ -105,9 +103,8 @@ public:
       : m_tree(std::move(tree)), m_is_kept(m_tree.parent.size(), 0), m_is_protected(m_is_kept),
         m_number_of_children(m_is_kept.size(), 0)
   {
-    for (Index root : m_tree.roots) {
-      m_is_kept[root] = 1;
-      m_is_protected[root] = 1;
+    for (Index vertex : m_tree.order) {
+      m_is_kept[vertex] = m_is_protected[vertex] = is_root(vertex) ? 1 : 0;
     }
   }
 
@@ -427,8 +424,8 @@ Cut_tree find_cut_tree(const Measures& measures, const std::vector<Index>& sourc
   }
   thin_branches(frames, cut);
   double max_distance = 0;
-  for (Index root : tree.roots) {
-    max_distance = std::max(max_distance, measures.distance(root));
+  for (const Index vertex : tree.order) {
+    max_distance = std::max(max_distance, measures.distance(vertex));
   }
   const double min_length =
       std::max(settings.minimum_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());

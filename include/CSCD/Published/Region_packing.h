@@ -42,40 +42,33 @@ template <class Surface>
 class Balance_and_roundness
 {
 public:
-  enum class Verdict
-  {
-    good,
-    bump,  ///< one side is as small as that of a curve around a bump
-    tunnel ///< the curve does not span the body
-  };
-
-  explicit Balance_and_roundness(const Surface& surface, Weight_rule rule = Weight_rule::balance_and_roundness)
+  Balance_and_roundness(const Surface& surface, Weight_rule rule)
       : m_surface(surface), m_triangulation(surface.triangulation()), m_rule(rule),
         m_crossed(m_triangulation.number_of_halfedges()), m_front(m_triangulation.number_of_vertices())
   {
   }
 
-  /// Judges `separator` and sets `weight`, above 0 for a good one and 0 for others; except with `shortness` it is
-  /// at most 1.
-  Verdict operator()(const Separator& separator, double& weight)
+  /// The weight of `separator`, above 0; except with `shortness` it is at most 1. It is 0 where the separator is
+  /// pruned, which is counted in `report`.
+  double operator()(const Separator& separator, Skeletonization_report& report)
   {
-    weight = 0;
     const double squared_length = separator.length * separator.length;
     const double width = band_width * separator.length;
     const double min_area = min_area_ratio(separator) * squared_length;
     const Side left = measure(separator, true, width, min_area);
     const Side right = measure(separator, false, width, min_area);
     if (std::min(left.area, right.area) < min_area) {
-      return Verdict::bump;
+      ++report.number_of_bumps; // one side is as small as that of a curve around a bump
+      return 0;
     }
     curve_points(m_triangulation, separator, m_points);
     // Between the two sides of a sheet there is nothing to be spanned.
     if (!separator.is_open && span_inside_share(m_surface, m_points, separator.center) < min_inside_share) {
-      return Verdict::tunnel;
+      ++report.number_of_tunnels; // the curve does not span the body
+      return 0;
     }
-    weight = weight_of_good(separator,
-                            std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area));
-    return Verdict::good;
+    return weight_of_good(separator,
+                          std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area));
   }
 
 private:
@@ -488,15 +481,13 @@ public:
   static std::vector<Index> pack(const Surface& surface, const std::vector<Separator>& separators,
                                  const Field_search_settings& settings, Skeletonization_report& report)
   {
-    using Judge = Balance_and_roundness<Surface>;
-    Judge judge(surface, settings.weight_rule);
-    std::vector<double> weights(separators.size());
+    Balance_and_roundness<Surface> weigh(surface, settings.weight_rule);
+    std::vector<double> weights;
+    weights.reserve(separators.size());
     report.number_of_bumps = 0;
     report.number_of_tunnels = 0;
-    for (std::size_t i = 0; i < separators.size(); ++i) {
-      const typename Judge::Verdict verdict = judge(separators[i], weights[i]);
-      report.number_of_bumps += verdict == Judge::Verdict::bump ? 1 : 0;
-      report.number_of_tunnels += verdict == Judge::Verdict::tunnel ? 1 : 0;
+    for (const Separator& separator : separators) {
+      weights.push_back(weigh(separator, report));
     }
     const auto& triangulation = surface.triangulation();
     if constexpr (!std::is_same_v<std::decay_t<decltype(triangulation)>, Point_complex>) {
