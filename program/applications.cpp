@@ -4,7 +4,6 @@
 // The commands `cscd segment`, `cscd diameter` and `cscd loops`: from arguments to files.
 
 #include "types.h"
-#include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>

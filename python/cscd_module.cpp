@@ -7,7 +7,6 @@
 #include "options.h"
 #include "types.h"
 #include "write_report.h"
-#include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>

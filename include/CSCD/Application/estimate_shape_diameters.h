@@ -6,12 +6,22 @@
 #ifndef CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_H
 #define CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_H
 
-#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Traits/read_mesh.h>
+#include <CSCD/Vector3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -22,13 +32,52 @@ inline constexpr std::size_t default_number_of_diameter_smoothing_steps = 3;
 
 namespace internal {
 
+/// A surface, a skeleton in the same coordinates, and which node each vertex belongs to.
+struct Skeletonized_surface
+{
+  Triangulated_surface surface; ///< without points that have no face
+  CSCD::Skeleton skeleton;
+  std::vector<Index> node;   ///< for each vertex of the surface
+  std::vector<Index> number; ///< of each vertex among the points of the mesh
+};
+
+/// Faces and nodes keep their order, points without a face are left out. Linear.
+/// \throw Input_error as `check_triangles()` does, or if a vertex with a face belongs to no node
+inline Skeletonized_surface make_skeletonized_surface(Assigned_surface&& assigned, CSCD::Skeleton skeleton)
+{
+  Checked_triangles checked = check_triangles(std::move(assigned.points), std::move(assigned.triangles));
+  Skeletonized_surface result{Triangulated_surface(std::move(checked.triangles), std::move(checked.pairing)),
+                              std::move(skeleton),
+                              {},
+                              std::move(checked.input_number)};
+  for (const Index number : result.number) {
+    result.node.push_back(assigned.node_of_vertex[number]);
+    if (result.node.back() == no_index) {
+      throw Input_error("vertex " + std::to_string(result.node.size() - 1) +
+                        " of those with a face belongs to no node: use the skeleton of this mesh");
+    }
+  }
+  return result;
+}
+
+/// Copies `mesh`, with the `vertex_point_map` of `np`, and `skeleton`; expectedly linear.
+template <class TriangleMesh, class Skeleton, class NamedParameters>
+Skeletonized_surface collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skeleton,
+                                                  const NamedParameters& np)
+{
+  check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
+  check_triangle_mesh<TriangleMesh>();
+  return make_skeletonized_surface(assigned_surface(mesh, skeleton, vertex_point_map(mesh, np)),
+                                   index_skeleton(skeleton));
+}
+
 /// Twice the distances of the points of a mesh from the parts of the skeleton that they belong to, smoothed; 0 for
 /// vertices without a face. \param number of the points
-std::vector<double> shape_diameters(const Skeletonized_surface& surface, std::size_t number,
+std::vector<double> shape_diameters(const Skeletonized_surface& input, std::size_t number,
                                     std::size_t number_of_smoothing_steps);
 
 /// The means of these over the corners of the faces.
-std::vector<double> face_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps);
+std::vector<double> face_shape_diameters(const Skeletonized_surface& input, std::size_t number_of_smoothing_steps);
 
 } // namespace internal
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_APPLICATION_SEGMENT_MESH_H
 #define CSCD_APPLICATION_SEGMENT_MESH_H
 
-#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Vector3.h>
 
@@ -20,7 +20,7 @@ namespace CSCD {
 namespace internal {
 
 /// The part of each face, numbered in the order of their first faces; see `segment_mesh()`.
-std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts);
+std::vector<Index> segment_surface(const Skeletonized_surface& input, std::size_t number_of_parts);
 
 } // namespace internal
 
