@@ -32,43 +32,52 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Chooses the nodes of a rooted skeleton that get joints.
-class Joint_placement
+/// What joints are placed on, and the node of each vertex.
+struct Rig_axis
+{
+  Skeleton skeleton; ///< in one piece
+  std::vector<Index> node_of_vertex;
+  std::vector<Index> branch_of_node; ///< `no_index` along a spine
+  std::vector<char> is_carried;      ///< of each node, whether it is in a part that gets no joints
+  Index root = no_index;
+};
+
+/// Chooses the nodes of a rooted skeleton that get joints, numbers these, and finds how strongly they move points of a
+/// place on the skeleton.
+class Joint_weights
 {
 public:
   /// \param size of the body: the largest side of its box
-  /// \param is_carried of each node, whether it is in a part that gets no joints
-  Joint_placement(const Skeleton& skeleton, const Rooted_forest& forest, double size,
-                  const std::vector<char>& is_carried)
-      : m_skeleton(skeleton), m_spacing(relative_spacing * size), m_children(skeleton.number_of_nodes()),
-        m_is_joint(skeleton.number_of_nodes(), 0), m_heir(skeleton.number_of_nodes(), no_index)
+  Joint_weights(const Rig_axis& axis, double size)
+      : m_skeleton(axis.skeleton), m_forest(axis.skeleton, {axis.root}), m_spacing(relative_spacing * size),
+        m_children(m_skeleton.number_of_nodes()), m_is_joint(m_skeleton.number_of_nodes(), 0),
+        m_heir(m_skeleton.number_of_nodes(), no_index), m_owner(m_skeleton.number_of_nodes(), no_index),
+        m_next(m_skeleton.number_of_nodes(), no_index), m_distance(m_skeleton.number_of_nodes(), 0)
   {
-    for (auto node = forest.order().rbegin(); node != forest.order().rend(); ++node) {
-      if (forest.is_root(*node) || is_carried[*node] == 0 || !m_children[*node].empty()) {
-        m_heir[*node] = *node;
-        if (!forest.is_root(*node)) {
-          m_children[forest.parent(*node)].push_back(*node);
-        }
-      }
-    }
-    for (const Index node : forest.order()) {
-      std::reverse(m_children[node].begin(), m_children[node].end());
-      if (m_heir[node] == no_index) {
-        m_heir[node] = m_heir[forest.parent(node)];
-      } else if (forest.is_root(node) || m_children[node].size() != 1) { // chains begin or end there
-        m_is_joint[node] = 1;
-        for (const Index child : m_children[node]) {
-          place_along(chain_from(node, child));
-        }
-      }
-    }
+    place_joints(axis.is_carried);
+    number_joints(axis.branch_of_node);
   }
 
-  bool is_joint(Index node) const { return m_is_joint[node] != 0; }
-  bool is_leaf(Index node) const { return m_children[node].empty(); }
-  const std::vector<Index>& children(Index node) const { return m_children[node]; }
-  /// The node itself or, in a part that gets no joints, the last one before it that is in another part.
-  Index heir(Index node) const { return m_heir[node]; }
+  const std::vector<Rig_joint>& joints() const { return m_joints; }
+
+  /// \param node the node of `point`
+  Rig::Influences operator()(Index node, const Vector3& point) const
+  {
+    node = m_heir[node];
+    std::vector<Index> targets = m_children[node]; // of the edges at the node; the parent of each is the source
+    if (!m_forest.is_root(node)) {
+      targets.insert(targets.begin(), node);
+    }
+    if (targets.empty()) {
+      return {{{m_owner[node], 1.}}};
+    }
+    const auto distance = [&](Index target) {
+      return distance_to_segment(point, m_skeleton.points[m_forest.parent(target)], m_skeleton.points[target]);
+    };
+    return influences_on(
+        *std::min_element(targets.begin(), targets.end(), [&](Index a, Index b) { return distance(a) < distance(b); }),
+        point);
+  }
 
 private:
   using Chain = std::vector<Index>;
@@ -81,6 +90,29 @@ private:
   static constexpr double start_over_radius = 0.25;
   /// A node that is nearer to a joint's place, relative to the length of the limb, is at it.
   static constexpr double rounding = 1e-9;
+
+  void place_joints(const std::vector<char>& is_carried)
+  {
+    for (auto node = m_forest.order().rbegin(); node != m_forest.order().rend(); ++node) {
+      if (m_forest.is_root(*node) || is_carried[*node] == 0 || !m_children[*node].empty()) {
+        m_heir[*node] = *node;
+        if (!m_forest.is_root(*node)) {
+          m_children[m_forest.parent(*node)].push_back(*node);
+        }
+      }
+    }
+    for (const Index node : m_forest.order()) {
+      std::reverse(m_children[node].begin(), m_children[node].end());
+      if (m_heir[node] == no_index) {
+        m_heir[node] = m_heir[m_forest.parent(node)];
+      } else if (m_forest.is_root(node) || m_children[node].size() != 1) { // chains begin or end there
+        m_is_joint[node] = 1;
+        for (const Index child : m_children[node]) {
+          place_along(chain_from(node, child));
+        }
+      }
+    }
+  }
 
   Chain chain_from(Index end, Index child) const
   {
@@ -114,52 +146,6 @@ private:
     }
   }
 
-  const Skeleton& m_skeleton;
-  double m_spacing;
-  std::vector<std::vector<Index>> m_children; ///< without the nodes of parts that get no joints
-  std::vector<char> m_is_joint;
-  std::vector<Index> m_heir;
-};
-
-/// Numbers joints, and finds how strongly they move points of a place on the skeleton.
-class Joint_weights
-{
-public:
-  Joint_weights(const Skeleton& skeleton, Index root, double size, const std::vector<char>& is_carried,
-                const std::vector<Index>& branch_of_node)
-      : m_skeleton(skeleton), m_forest(skeleton, {root}), m_placement(skeleton, m_forest, size, is_carried),
-        m_owner(skeleton.number_of_nodes(), no_index), m_next(skeleton.number_of_nodes(), no_index),
-        m_distance(skeleton.number_of_nodes(), 0)
-  {
-    number_joints(branch_of_node);
-  }
-
-  const std::vector<Rig_joint>& joints() const { return m_joints; }
-
-  /// \param node the node of `point`
-  Rig::Influences operator()(Index node, const Vector3& point) const
-  {
-    node = m_placement.heir(node);
-    Index target = no_index; // the target of the nearest edge; its parent is the source
-    double least = 0;
-    const auto look_at = [&](Index child) {
-      const double distance =
-          distance_to_segment(point, m_skeleton.points[m_forest.parent(child)], m_skeleton.points[child]);
-      if (target == no_index || distance < least) {
-        least = distance;
-        target = child;
-      }
-    };
-    if (!m_forest.is_root(node)) {
-      look_at(node);
-    }
-    for (const Index child : m_placement.children(node)) {
-      look_at(child);
-    }
-    return target == no_index ? Rig::Influences{{{m_owner[node], 1.}}} : influences_on(target, point);
-  }
-
-private:
   /// A zone around a joint ends halfway to the next joint, so that zones do not overlap.
   void number_joints(const std::vector<Index>& branch_of_node)
   {
@@ -168,12 +154,12 @@ private:
       const Index parent = m_forest.parent(node);
       m_owner[node] = m_owner[parent];
       m_distance[node] = is_root ? 0 : m_distance[parent] + m_skeleton.length({parent, node});
-      if (!m_placement.is_joint(node)) {
+      if (m_is_joint[node] == 0) {
         continue;
       }
       m_next[node] = Index(m_joints.size());
       Rig_joint joint{{}, node, branch_of_node[node], m_skeleton.points[node], m_skeleton.radii[node], false};
-      joint.is_tip = !is_root && m_placement.is_leaf(node);
+      joint.is_tip = !is_root && m_children[node].empty();
       m_zone.push_back(joint.radius);
       if (!is_root) {
         const Index before = m_owner[parent];
@@ -186,8 +172,8 @@ private:
       m_joints.push_back(joint);
     }
     for (auto node = m_forest.order().rbegin(); node != m_forest.order().rend(); ++node) {
-      if (m_placement.heir(*node) == *node && !m_placement.is_joint(*node)) {
-        m_next[*node] = m_next[m_placement.children(*node).front()];
+      if (m_heir[*node] == *node && m_is_joint[*node] == 0) {
+        m_next[*node] = m_next[m_children[*node].front()];
       }
     }
   }
@@ -226,7 +212,10 @@ private:
 
   const Skeleton& m_skeleton;
   Rooted_forest m_forest;
-  Joint_placement m_placement;
+  double m_spacing;
+  std::vector<std::vector<Index>> m_children; ///< without the nodes of parts that get no joints
+  std::vector<char> m_is_joint;
+  std::vector<Index> m_heir; ///< the node itself or, in a part that gets no joints, the last one before that part
   std::vector<Rig_joint> m_joints;
   std::vector<Index> m_owner;     ///< of each node, the last joint at or before it that is not a tip
   std::vector<Index> m_next;      ///< of each node, the first joint at or behind it
@@ -344,16 +333,6 @@ struct Solid_moments
     const double determinant = square.columns[0].dot(square.columns[1].cross(square.columns[2]));
     return std::abs(volume) / (ball * std::sqrt(determinant));
   }
-};
-
-/// What joints are placed on, and the node of each vertex.
-struct Rig_axis
-{
-  Skeleton skeleton; ///< in one piece
-  std::vector<Index> node_of_vertex;
-  std::vector<Index> branch_of_node; ///< `no_index` along a spine
-  std::vector<char> is_carried;      ///< of each node, whether it is in a part that gets no joints
-  Index root = no_index;
 };
 
 /// The part that is the body of a fish, the other ones being its fins and eyes: it is compact, not a ball, and most of
@@ -505,7 +484,7 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
     axis = axis_of_limbs(parts, surface, size, root);
   }
   const Skeleton& skeleton = axis->skeleton;
-  const Joint_weights weights(skeleton, axis->root, size, axis->is_carried, axis->branch_of_node);
+  const Joint_weights weights(*axis, size);
   Rig rig{weights.joints(), {}};
   rig.influences.reserve(surface.points.size());
   double sum_of_radii = 0;
