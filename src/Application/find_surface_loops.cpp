@@ -246,9 +246,7 @@ public:
     });
     std::vector<Surface_loop<Vector3>> result;
     for (const Loop_kind kind : {Loop_kind::handle, Loop_kind::tunnel}) {
-      for (const Candidate* candidate : independent_loops(kind)) {
-        result.push_back(to_loop(kind, *candidate, 0));
-      }
+      add_independent_loops(kind, result);
     }
     add_constrictions(min_depth, result);
     std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
@@ -414,17 +412,15 @@ private:
     return double(number_inside) >= min_inside_part * double(corners.size());
   }
 
-  /// The shortest candidates of a kind that are independent.
-  std::vector<const Candidate*> independent_loops(Loop_kind kind) const
+  /// Adds the shortest candidates of a kind that are independent.
+  void add_independent_loops(Loop_kind kind, std::vector<Surface_loop<Vector3>>& result) const
   {
-    std::vector<const Candidate*> result;
     Independent_bits chosen;
     for (const Candidate& candidate : m_candidates) {
-      if (2 * result.size() < m_classes.size() && is_of_kind(candidate, kind) && chosen.insert(candidate.loop_class)) {
-        result.push_back(&candidate);
+      if (2 * chosen.size() < m_classes.size() && is_of_kind(candidate, kind) && chosen.insert(candidate.loop_class)) {
+        result.push_back({kind, candidate.measures.length, 0, points(candidate)});
       }
     }
-    return result;
   }
   /// @}
 
@@ -448,7 +444,7 @@ private:
       const double depth = parallel_curves.depth(candidate.path);
       if (depth >= min_depth && push_off_vertices(m_surface, candidate.path, crossings) &&
           arrangement.insert(Index(result.size()), crossings)) {
-        result.push_back(to_loop(Loop_kind::constriction, candidate, depth));
+        result.push_back({Loop_kind::constriction, candidate.measures.length, depth, points(candidate)});
       }
     }
   }
@@ -478,11 +474,6 @@ private:
     });
   }
   /// @}
-
-  Surface_loop<Vector3> to_loop(Loop_kind kind, const Candidate& candidate, double depth) const
-  {
-    return {kind, candidate.measures.length, depth, points(candidate)};
-  }
 
   const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;
