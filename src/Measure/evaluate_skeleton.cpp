@@ -3,9 +3,8 @@
 //
 // Measures a skeleton against a mesh or points.
 
-#include "Measure/Isosurface_tracker.h"
 #include "Measure/body_measures.h"
-#include "Measure/reconstruction_fields.h"
+#include "Measure/reconstruction.h"
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/evaluate_skeleton.h>

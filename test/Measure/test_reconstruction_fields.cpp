@@ -3,8 +3,7 @@
 //
 // Tests of the fields that surfaces are reconstructed by, of their triangulation, and of estimated radii.
 
-#include "Measure/Isosurface_tracker.h"
-#include "Measure/reconstruction_fields.h"
+#include "Measure/reconstruction.h"
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
