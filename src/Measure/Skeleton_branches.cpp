@@ -33,80 +33,44 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Measures one branch after the other.
-class Branch_measurement
+using Node_pair = std::pair<Index, Index>; ///< the lesser number first
+
+Branch_end kind_of_end(const Skeleton& skeleton, const std::vector<std::vector<Index>>& neighbors, Index node)
 {
-public:
-  /// \param neighbors of the nodes; both are referred to
-  Branch_measurement(const Skeleton& skeleton, const std::vector<std::vector<Index>>& neighbors)
-      : m_skeleton(skeleton), m_neighbors(neighbors)
-  {
-    const std::vector<double> significances = edge_significances(skeleton);
-    for (std::size_t e = 0; e < significances.size(); ++e) {
-      m_significance.emplace(std::minmax(skeleton.edges[e][0], skeleton.edges[e][1]), significances[e]);
-    }
-  }
+  const bool is_opening = !skeleton.is_opening.empty() && skeleton.is_opening[node] != 0;
+  const std::size_t degree = neighbors[node].size();
+  return degree > 2    ? Branch_end::junction
+         : degree == 2 ? Branch_end::closed
+         : degree == 0 ? Branch_end::isolated
+         : is_opening  ? Branch_end::opening
+                       : Branch_end::tip;
+}
 
-  Skeleton_branch operator()(std::vector<Index>&& nodes) const
-  {
-    Skeleton_branch branch;
-    branch.nodes = std::move(nodes);
-    const std::array<Index, 2> ends{branch.nodes.front(), branch.nodes.back()};
-    branch.ends = {kind(ends[0]), kind(ends[1])};
-    branch.chord = m_skeleton.length(ends);
-    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
-      branch.length += m_skeleton.length({branch.nodes[i - 1], branch.nodes[i]});
-    }
-    if (m_skeleton.has_radii()) {
-      branch.end_radii = {m_skeleton.radii[ends[0]], m_skeleton.radii[ends[1]]};
-      measure_radii(branch);
-      if (branch.nodes.size() > 1) { // parallel edges are all infinitely significant
-        branch.significance = m_significance.at(std::minmax(branch.nodes[0], branch.nodes[1]));
-      }
-    }
-    return branch;
+/// Measures what depends on radii alone; the length is known.
+void measure_radii(const Skeleton& skeleton, Skeleton_branch& branch)
+{
+  using boost::math::double_constants::pi;
+  branch.end_radii = {skeleton.radii[branch.nodes.front()], skeleton.radii[branch.nodes.back()]};
+  branch.min_radius = branch.max_radius = branch.end_radii[0];
+  branch.cone_area = branch.cone_volume = 0;
+  double integral = 0; // of the radius over the length
+  for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+    const double r = skeleton.radii[branch.nodes[i - 1]];
+    const double s = skeleton.radii[branch.nodes[i]];
+    const double length = skeleton.length({branch.nodes[i - 1], branch.nodes[i]});
+    branch.min_radius = std::min(branch.min_radius, s);
+    branch.max_radius = std::max(branch.max_radius, s);
+    integral += length * (r + s) / 2;
+    branch.cone_area += pi * (r + s) * std::hypot(length, r - s);
+    branch.cone_volume += pi * length * (r * r + r * s + s * s) / 3;
   }
-
-private:
-  Branch_end kind(Index node) const
-  {
-    const bool is_opening = !m_skeleton.is_opening.empty() && m_skeleton.is_opening[node] != 0;
-    const std::size_t degree = m_neighbors[node].size();
-    return degree > 2    ? Branch_end::junction
-           : degree == 2 ? Branch_end::closed
-           : degree == 0 ? Branch_end::isolated
-           : is_opening  ? Branch_end::opening
-                         : Branch_end::tip;
-  }
-
-  void measure_radii(Skeleton_branch& branch) const
-  {
-    using boost::math::double_constants::pi;
-    branch.min_radius = branch.max_radius = branch.end_radii[0];
-    branch.cone_area = branch.cone_volume = 0;
-    double integral = 0; // of the radius over the length
-    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
-      const double r = m_skeleton.radii[branch.nodes[i - 1]];
-      const double s = m_skeleton.radii[branch.nodes[i]];
-      const double length = m_skeleton.length({branch.nodes[i - 1], branch.nodes[i]});
-      branch.min_radius = std::min(branch.min_radius, s);
-      branch.max_radius = std::max(branch.max_radius, s);
-      integral += length * (r + s) / 2;
-      branch.cone_area += pi * (r + s) * std::hypot(length, r - s);
-      branch.cone_volume += pi * length * (r * r + r * s + s * s) / 3;
-    }
-    branch.mean_radius = branch.length > 0 ? integral / branch.length : branch.end_radii[0];
-  }
-
-  const Skeleton& m_skeleton;
-  const std::vector<std::vector<Index>>& m_neighbors;
-  boost::unordered_map<std::pair<Index, Index>, double> m_significance;
-};
+  branch.mean_radius = branch.length > 0 ? integral / branch.length : branch.end_radii[0];
+}
 
 /// Gives branches their parents and orders.
 void assign_orders(const Rooted_forest& forest, std::vector<Skeleton_branch>& branches)
 {
-  boost::unordered_map<std::pair<Index, Index>, Index> branch_of_edge;
+  boost::unordered_map<Node_pair, Index> branch_of_edge;
   for (Index b = 0; b < branches.size(); ++b) {
     for (std::size_t i = 1; i < branches[b].nodes.size(); ++i) {
       branch_of_edge.emplace(std::minmax(branches[b].nodes[i - 1], branches[b].nodes[i]), b);
@@ -163,7 +127,8 @@ public:
   Surface_part_measurement(const Skeleton& skeleton, const Assigned_surface& surface, Skeleton_branches& branches)
       : m_skeleton(skeleton), m_surface(surface), m_branches(branches.branches),
         m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size()),
-        m_node_of_face(nodes_of_faces(surface))
+        m_node_of_face(nodes_of_faces(surface)), m_anchor(skeleton.number_of_nodes(), no_index),
+        m_borders(surface.points.size()), m_middle(surface.points.size())
   {
     for (const Vector3& point : surface.points) {
       m_origin += point / double(surface.points.size());
@@ -194,7 +159,6 @@ private:
   /// The anchor of a node is the nearer junction at an end of its branch, of a junction itself: the apex of cones.
   void find_anchors()
   {
-    m_anchor.assign(m_skeleton.number_of_nodes(), no_index);
     for (const Skeleton_branch& branch : m_branches) {
       const bool has_first = branch.ends[0] == Branch_end::junction;
       const bool has_last = branch.ends[1] == Branch_end::junction;
@@ -209,12 +173,6 @@ private:
 
   void find_middles_of_borders()
   {
-    if (!m_pairing.has_border()) {
-      return;
-    }
-    m_borders = Disjoint_sets(m_surface.points.size());
-    m_middle.assign(m_surface.points.size(), Vector3::Zero());
-    std::vector<double> number(m_surface.points.size(), 0);
     std::vector<Index> border;
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
       if (m_pairing.twin(h) == no_index) {
@@ -222,6 +180,7 @@ private:
         border.push_back(origin(h));
       }
     }
+    std::vector<double> number(m_surface.points.size(), 0);
     for (const Index vertex : border) {
       m_middle[m_borders.find(vertex)] += m_surface.points[vertex];
       ++number[m_borders.find(vertex)];
@@ -415,9 +374,26 @@ Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<I
 {
   Skeleton_branches result;
   const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
-  const Branch_measurement measure(skeleton, neighbors);
+  const std::vector<double> significances = edge_significances(skeleton);
+  boost::unordered_map<Node_pair, double> significance;
+  for (std::size_t e = 0; e < significances.size(); ++e) { // parallel edges are all infinitely significant
+    significance.emplace(std::minmax(skeleton.edges[e][0], skeleton.edges[e][1]), significances[e]);
+  }
   for (std::vector<Index>& nodes : split_into_branches(neighbors)) {
-    result.branches.push_back(measure(std::move(nodes)));
+    Skeleton_branch& branch = result.branches.emplace_back();
+    branch.nodes = std::move(nodes);
+    branch.ends = {kind_of_end(skeleton, neighbors, branch.nodes.front()),
+                   kind_of_end(skeleton, neighbors, branch.nodes.back())};
+    branch.chord = skeleton.length({branch.nodes.front(), branch.nodes.back()});
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      branch.length += skeleton.length({branch.nodes[i - 1], branch.nodes[i]});
+    }
+    if (skeleton.has_radii()) {
+      measure_radii(skeleton, branch);
+      if (branch.nodes.size() > 1) {
+        branch.significance = significance.at(std::minmax(branch.nodes[0], branch.nodes[1]));
+      }
+    }
   }
   result.branch_of_node.assign(skeleton.number_of_nodes(), no_index);
   for (Index b = 0; b < result.branches.size(); ++b) {

@@ -39,18 +39,6 @@ struct Measured_input
   bool is_mesh = false;
 };
 
-template <class NamedParameters>
-Evaluation_parameters evaluation_parameters(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Evaluation_parameters result;
-  result.uses_skeleton_radii =
-      choose_parameter(get_parameter(np, internal_np::use_skeleton_radii), result.uses_skeleton_radii);
-  result.resolution = std::size_t(choose_parameter(get_parameter(np, internal_np::resolution), result.resolution));
-  return result;
-}
-
 /// Reads a mesh or a range of points; refuses at compile time named parameters that do not apply to it.
 template <class Surface, class NamedParameters>
 Measured_input measured_input(const Surface& surface, const NamedParameters& np)
@@ -130,8 +118,14 @@ template <class Surface, class Skeleton, class NamedParameters = parameters::Def
 Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skeleton,
                                     const NamedParameters& np = parameters::default_values())
 {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  internal::Evaluation_parameters settings;
+  settings.uses_skeleton_radii =
+      choose_parameter(get_parameter(np, internal_np::use_skeleton_radii), settings.uses_skeleton_radii);
+  settings.resolution = std::size_t(choose_parameter(get_parameter(np, internal_np::resolution), settings.resolution));
   return internal::evaluate_skeleton(internal::measured_input(surface, np), internal::index_skeleton(skeleton),
-                                     internal::evaluation_parameters(np));
+                                     settings);
 }
 
 } // namespace CSCD

@@ -52,33 +52,27 @@ struct Simplification_parameters
 Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification_parameters& parameters,
                                         const Triangulated_solid* solid);
 
-template <class NamedParameters>
-Simplification_parameters simplification_parameters(const NamedParameters& np)
+template <class Graph, class NamedParameters>
+Simplification_report simplify_skeleton(Graph& graph, const Triangulated_solid* solid, const NamedParameters& np)
 {
+  check_curve_skeleton_graph<Graph>();
   check_named_parameters<NamedParameters, internal_np::minimum_component_size_t, internal_np::minimum_significance_t,
                          internal_np::minimum_branch_length_t, internal_np::minimum_length_over_radius_t,
                          internal_np::join_components_t, internal_np::spacing_t, internal_np::spacing_over_radius_t,
                          CGAL::internal_np::vertex_point_t>();
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Simplification_parameters result;
+  Simplification_parameters steps;
   const auto read = [&](auto& value, const auto& tag) {
     value = std::decay_t<decltype(value)>(choose_parameter(get_parameter(np, tag), value));
   };
-  read(result.min_component_size, internal_np::minimum_component_size);
-  read(result.min_significance, internal_np::minimum_significance);
-  read(result.min_length, internal_np::minimum_branch_length);
-  read(result.min_length_over_radius, internal_np::minimum_length_over_radius);
-  read(result.joins_components, internal_np::join_components);
-  read(result.spacing, internal_np::spacing);
-  read(result.spacing_over_radius, internal_np::spacing_over_radius);
-  return result;
-}
-
-template <class Graph, class NamedParameters>
-Simplification_report simplify_skeleton(Graph& graph, const Triangulated_solid* solid, const NamedParameters& np)
-{
-  check_curve_skeleton_graph<Graph>();
+  read(steps.min_component_size, internal_np::minimum_component_size);
+  read(steps.min_significance, internal_np::minimum_significance);
+  read(steps.min_length, internal_np::minimum_branch_length);
+  read(steps.min_length_over_radius, internal_np::minimum_length_over_radius);
+  read(steps.joins_components, internal_np::join_components);
+  read(steps.spacing, internal_np::spacing);
+  read(steps.spacing_over_radius, internal_np::spacing_over_radius);
   Skeleton skeleton = index_skeleton(graph);
   std::vector<Skeleton_descriptor<Graph>> descriptors;
   for (const auto node : boost::make_iterator_range(vertices(graph))) {
@@ -88,7 +82,7 @@ Simplification_report simplify_skeleton(Graph& graph, const Triangulated_solid* 
       descriptors.push_back(descriptor);
     }
   }
-  const Simplification_report report = simplify_skeleton(skeleton, simplification_parameters(np), solid);
+  const Simplification_report report = simplify_skeleton(skeleton, steps, solid);
   graph = make_skeleton_graph<Graph>(skeleton, descriptors);
   return report;
 }
