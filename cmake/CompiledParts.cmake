@@ -17,7 +17,7 @@ set(cscd_measure_sources
     Measure/evaluate_skeleton.cpp
     Measure/simplify_skeleton.cpp)
 set(cscd_measure_links core)
-set(cscd_tree_sources Tree/Tree_cylinders.cpp Tree/Tree_skeletonization.cpp)
+set(cscd_tree_sources Tree/Tree_skeletonization.cpp)
 set(cscd_tree_links measure)
 set(cscd_application_sources Application/find_surface_loops.cpp Application/make_rig.cpp Application/segment_mesh.cpp)
 set(cscd_application_links measure)

@@ -365,108 +365,76 @@ private:
   std::vector<Tree_limb> m_limbs;
 };
 
+/// The slices of `parent` next to the first slices of `limb`, one for each, so far as these lie on the bark of it.
+inline std::vector<Index> hosts_of_base(const std::vector<Slice>& slices, const std::vector<Section>& sections,
+                                        const Tree_limb& parent, const Tree_limb& limb)
+{
+  constexpr double bark = 1.25;          // how far from the axis of its parent a slice is on its bark, in radii
+  constexpr double longest_overhang = 2; // how far beyond the end of its parent a slice may be, likewise
+  constexpr double min_part = 0.75;      // of the slices to give away that are on the bark
+  auto at = std::find(parent.slices.begin(), parent.slices.end(), limb.joint);
+  std::vector<Index> hosts;
+  std::size_t number_on_bark = 0;
+  std::size_t number = 0; // of the slices to give away
+  for (const Index slice : limb.slices) {
+    const Vector3& place = slices[slice].centroid;
+    const auto distance = [&](Index host) { return (sections[host].center - place).norm(); };
+    while (at + 1 != parent.slices.end() && distance(*(at + 1)) < distance(*at)) {
+      ++at;
+    }
+    hosts.push_back(*at);
+    const Section& section = sections[*at];
+    const Vector3 d = place - section.center;
+    if (d.cross(section.direction).norm() <= bark * section.radius &&
+        std::abs(d.dot(section.direction)) <= longest_overhang * section.radius) {
+      ++number_on_bark;
+      number = double(number_on_bark) >= min_part * double(hosts.size()) ? hosts.size() : number;
+    }
+  }
+  hosts.resize(number);
+  return hosts;
+}
+
+/// Gives the points of slice `from` to slice `to`.
+inline void give_points(Slice& from, Slice& to)
+{
+  const double number = double(to.points.size() + from.points.size());
+  to.centroid = (double(to.points.size()) * to.centroid + double(from.points.size()) * from.centroid) / number;
+  to.points.insert(to.points.end(), from.points.begin(), from.points.end());
+  from.points.clear();
+}
+
 /// Gives the first slices of limbs to their parents as long as they lie on the bark of these. Where a trunk is seen
 /// from two sides only, its points fall apart into two strips: so they become one again, and all that grows from them
-/// is hung up anew.
-class Limb_base_absorption
+/// is hung up anew. \return for every slice itself, or the slice that its points went to
+inline std::vector<Index> absorb_limb_bases(std::vector<Slice>& slices, const std::vector<Section>& sections,
+                                            std::vector<Tree_limb>& limbs)
 {
-public:
-  Limb_base_absorption(std::vector<Slice>& slices, const std::vector<Section>& sections, std::vector<Tree_limb>& limbs)
-      : m_slices(slices), m_sections(sections), m_limbs(limbs), m_new_slice(slices.size()),
-        m_limb_of_slice(slices.size(), no_index)
-  {
-    std::iota(m_new_slice.begin(), m_new_slice.end(), Index(0));
-  }
-
-  /// \return for every slice itself, or the slice that its points went to
-  std::vector<Index> operator()()
-  {
-    std::vector<Tree_limb> kept;
-    for (Index i = 0; i < m_limbs.size(); ++i) {
-      Tree_limb limb = std::move(m_limbs[i]);
-      if (limb.joint != no_index) {
-        limb.joint = m_new_slice[limb.joint];
-        limb.parent = m_limb_of_slice[limb.joint];
-        absorb_base(kept[limb.parent], limb);
+  std::vector<Index> new_slice(slices.size());
+  std::iota(new_slice.begin(), new_slice.end(), Index(0));
+  std::vector<Index> limb_of_slice(slices.size(), no_index);
+  std::vector<Tree_limb> kept;
+  for (Tree_limb& limb : limbs) {
+    if (limb.joint != no_index) {
+      limb.joint = new_slice[limb.joint];
+      limb.parent = limb_of_slice[limb.joint];
+      const std::vector<Index> hosts = hosts_of_base(slices, sections, kept[limb.parent], limb);
+      for (std::size_t i = 0; i < hosts.size(); ++i) {
+        give_points(slices[limb.slices[i]], slices[hosts[i]]);
+        new_slice[limb.slices[i]] = limb.joint = hosts[i];
       }
-      if (!limb.slices.empty()) {
-        for (Index slice : limb.slices) {
-          m_limb_of_slice[slice] = Index(kept.size());
-        }
-        kept.push_back(std::move(limb));
+      limb.slices.erase(limb.slices.begin(), limb.slices.begin() + std::ptrdiff_t(hosts.size()));
+    }
+    if (!limb.slices.empty()) {
+      for (const Index slice : limb.slices) {
+        limb_of_slice[slice] = Index(kept.size());
       }
+      kept.push_back(std::move(limb));
     }
-    m_limbs = std::move(kept);
-    return std::move(m_new_slice);
   }
-
-private:
-  /// How far from the axis of its parent a slice is on its bark, relative to the radius.
-  static constexpr double bark = 1.25;
-  /// The part of the slices to give away that are on the bark.
-  static constexpr double min_part = 0.75;
-  /// How far beyond the end of its parent a slice may be, likewise.
-  static constexpr double longest_overhang = 2;
-
-  /// The slice of `parent` nearest to a place, from `first` on as long as it gets nearer.
-  std::size_t nearest_slice(const Tree_limb& parent, std::size_t first, const Vector3& place) const
-  {
-    std::size_t result = first;
-    const auto distance = [&](std::size_t i) { return (m_sections[parent.slices[i]].center - place).norm(); };
-    while (result + 1 < parent.slices.size() && distance(result + 1) < distance(result)) {
-      ++result;
-    }
-    return result;
-  }
-
-  /// Whether a place is on the bark of a section, and not beyond its end.
-  bool is_on_bark(const Vector3& place, const Section& section) const
-  {
-    const Vector3 d = place - section.center;
-    return d.cross(section.direction).norm() <= bark * section.radius &&
-           std::abs(d.dot(section.direction)) <= longest_overhang * section.radius;
-  }
-
-  void absorb_base(const Tree_limb& parent, Tree_limb& limb)
-  {
-    auto at = std::size_t(std::find(parent.slices.begin(), parent.slices.end(), limb.joint) - parent.slices.begin());
-    std::vector<Index> hosts;
-    std::size_t number_on_bark = 0;
-    std::size_t number = 0; // of the slices to give away
-    for (Index slice : limb.slices) {
-      at = nearest_slice(parent, at, m_slices[slice].centroid);
-      hosts.push_back(parent.slices[at]);
-      if (is_on_bark(m_slices[slice].centroid, m_sections[parent.slices[at]])) {
-        ++number_on_bark;
-        if (double(number_on_bark) >= min_part * double(hosts.size())) {
-          number = hosts.size();
-        }
-      }
-    }
-    for (std::size_t i = 0; i < number; ++i) {
-      give(limb.slices[i], hosts[i]);
-      limb.joint = hosts[i];
-    }
-    limb.slices.erase(limb.slices.begin(), limb.slices.begin() + std::ptrdiff_t(number));
-  }
-
-  void give(Index slice, Index host)
-  {
-    Slice& from = m_slices[slice];
-    Slice& to = m_slices[host];
-    const double number = double(to.points.size() + from.points.size());
-    to.centroid = (double(to.points.size()) * to.centroid + double(from.points.size()) * from.centroid) / number;
-    to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-    from.points.clear();
-    m_new_slice[slice] = host;
-  }
-
-  std::vector<Slice>& m_slices;
-  const std::vector<Section>& m_sections;
-  std::vector<Tree_limb>& m_limbs;
-  std::vector<Index> m_new_slice;
-  std::vector<Index> m_limb_of_slice;
-};
+  limbs = std::move(kept);
+  return new_slice;
+}
 
 } // namespace CSCD::internal
 

@@ -120,25 +120,27 @@ private:
 class Root_distances
 {
 public:
-  explicit Root_distances(const std::vector<Vector3>& points, const Neighbor_graph& graph)
-      : m_points(points), m_graph(graph), m_front(points.size()), m_distance(points.size(), 0.F),
-        m_parent(points.size(), no_index)
-  {
-  }
-
   /// Measures from the roots of each object all that is connected with them. O(n log n).
-  void measure_from(const std::vector<std::vector<Index>>& roots_of_objects)
+  Root_distances(const std::vector<Vector3>& points, const Neighbor_graph& graph,
+                 const std::vector<std::vector<Index>>& roots_of_objects)
+      : m_front(points.size()), m_distance(points.size(), 0.F), m_parent(points.size(), no_index)
   {
-    m_front.clear();
+    // Shortest paths must not leap from limb to limb: edges longer than the spacing cost more than their length.
+    const auto cost_of_edge = [&](Index a, Index b) {
+      constexpr double leap_exponent = 0.5; // how much more, as the power of the length relative to the spacing
+      const double length = (points[a] - points[b]).norm();
+      const double spacing = std::min(graph.spacing(a), graph.spacing(b));
+      return spacing > 0 ? length * std::pow(std::max(1., length / spacing), leap_exponent) : length;
+    };
     for (const std::vector<Index>& roots : roots_of_objects) {
       for (Index root : roots) {
         m_front.reach(root, 0);
       }
       m_front.spread([&](Index point, float cost) {
         if (m_parent[point] != no_index) {
-          m_distance[point] = m_distance[m_parent[point]] + float((m_points[point] - m_points[m_parent[point]]).norm());
+          m_distance[point] = m_distance[m_parent[point]] + float((points[point] - points[m_parent[point]]).norm());
         }
-        for (Index neighbor : m_graph.neighbors(point)) {
+        for (Index neighbor : graph.neighbors(point)) {
           if (m_front.reach(neighbor, cost + float(cost_of_edge(point, neighbor)))) {
             m_parent[neighbor] = point;
           }
@@ -155,19 +157,6 @@ public:
   Index parent(Index point) const { return m_parent[point]; }
 
 private:
-  /// Shortest paths must not leap from limb to limb: edges longer than the spacing cost more than their length.
-  double cost_of_edge(Index a, Index b) const
-  {
-    const double length = (m_points[a] - m_points[b]).norm();
-    const double spacing = std::min(m_graph.spacing(a), m_graph.spacing(b));
-    return spacing > 0 ? length * std::pow(std::max(1., length / spacing), leap_exponent) : length;
-  }
-
-  /// How much more, as the power of the length relative to the spacing.
-  static constexpr double leap_exponent = 0.5;
-
-  const std::vector<Vector3>& m_points;
-  const Neighbor_graph& m_graph;
   Dijkstra_search m_front;
   std::vector<float> m_distance;
   std::vector<Index> m_parent;

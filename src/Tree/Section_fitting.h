@@ -199,19 +199,35 @@ public:
     smooth_radii(limb);
   }
 
-  /// Takes the radii of sections without a circle near them, if they are larger, down to the root of what they carry
-  /// times `factor`, and makes the radii decrease again.
-  void limit_radii(const Tree_limb& limb, double factor, const std::vector<double>& carried)
+  /// Where no circle gives the radius, the scatter of the points, leaves among them, is an upper bound. By the pipe
+  /// model, the area of a section is proportional to the length of all that it carries: so the parent gives a bound.
+  void limit_by_pipe_model(const std::vector<Tree_limb>& limbs)
   {
-    for (Index slice : limb.slices) {
-      Section& section = m_sections[slice];
-      if (section.is_rough) {
-        const double scatter = scatter_radius(slice);
-        section.radius =
-            std::max(std::sqrt(min_part_of_scatter) * scatter, std::min(scatter, factor * std::sqrt(carried[slice])));
+    std::vector<double> carried(m_sections.size(), 0);
+    for (auto limb = limbs.rbegin(); limb != limbs.rend(); ++limb) {
+      for (std::size_t i = limb->slices.size(); i-- > 0;) {
+        const Index slice = limb->slices[i];
+        const Index before = i > 0 ? limb->slices[i - 1] : limb->joint;
+        if (before != no_index) {
+          carried[before] += carried[slice] + (m_sections[slice].center - m_sections[before].center).norm();
+        }
       }
     }
-    smooth_radii(limb);
+    for (const Tree_limb& limb : limbs) {
+      if (limb.joint == no_index || !(carried[limb.joint] > 0)) {
+        continue;
+      }
+      const double factor = m_sections[limb.joint].radius / std::sqrt(carried[limb.joint]);
+      for (const Index slice : limb.slices) {
+        Section& section = m_sections[slice];
+        if (section.is_rough) {
+          const double scatter = scatter_radius(slice);
+          section.radius =
+              std::max(std::sqrt(min_part_of_scatter) * scatter, std::min(scatter, factor * std::sqrt(carried[slice])));
+        }
+      }
+      smooth_radii(limb);
+    }
   }
 
 private:

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a scan of trees to slices, sections, nodes and branches.
+// From a scan of trees to slices, sections, nodes and branches; cylinders of limbs, and the foresters' measures of
+// them.
 
 #include "Tree/Limb_finder.h"
 #include "Tree/Neighbor_graph.h"
 #include "Tree/Section_fitting.h"
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
@@ -14,6 +16,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Traits/Input_points.h>
+#include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector3.h>
@@ -21,6 +24,8 @@
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/property_map.h>
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
@@ -246,43 +251,19 @@ private:
   const std::vector<Section>& m_sections;
 };
 
-/// Measures twice: the first time, to find the bridge where each piece is entered. \return these bridges
-std::vector<Point_gap> measure_distances(const Gap_bridging& bridging, const std::vector<std::vector<Index>>& roots,
-                                         Neighbor_graph& graph, Root_distances& distances)
+/// Measures twice: the first time, to find the bridge where each piece is entered. \param gaps is set to these bridges
+Root_distances measure_distances(const std::vector<Vector3>& points, const Gap_bridging& bridging,
+                                 const std::vector<std::vector<Index>>& roots, Neighbor_graph& graph,
+                                 std::vector<Point_gap>& gaps)
 {
-  const auto measure_over = [&](const std::vector<Point_gap>& gaps) {
-    graph.set_bridges(gaps);
-    distances.measure_from(roots);
-  };
-  measure_over(bridging.bridges());
-  std::vector<Point_gap> entries;
+  graph.set_bridges(bridging.bridges());
+  Root_distances distances(points, graph, roots);
   if (!bridging.bridges().empty()) {
-    entries = bridging.entries(distances);
-    measure_over(entries);
+    gaps = bridging.entries(distances);
+    graph.set_bridges(gaps);
+    distances = Root_distances(points, graph, roots);
   }
-  return entries;
-}
-
-/// Where no circle gives the radius, the scatter of the points, leaves among them, is an upper bound. By the pipe
-/// model, the area of a section is proportional to the length of all that it carries: so the parent gives a bound.
-void limit_by_pipe_model(const std::vector<Tree_limb>& limbs, Section_fitting& fitting)
-{
-  const std::vector<Section>& sections = fitting.sections();
-  std::vector<double> carried(sections.size(), 0);
-  for (auto limb = limbs.rbegin(); limb != limbs.rend(); ++limb) {
-    for (std::size_t i = limb->slices.size(); i-- > 0;) {
-      const Index slice = limb->slices[i];
-      const Index before = i > 0 ? limb->slices[i - 1] : limb->joint;
-      if (before != no_index) {
-        carried[before] += carried[slice] + (sections[slice].center - sections[before].center).norm();
-      }
-    }
-  }
-  for (const Tree_limb& limb : limbs) {
-    if (limb.joint != no_index && carried[limb.joint] > 0) {
-      fitting.limit_radii(limb, sections[limb.joint].radius / std::sqrt(carried[limb.joint]), carried);
-    }
-  }
+  return distances;
 }
 
 /// Fits the sections of all slices of limbs; slices at the base of a limb may go to another one.
@@ -298,12 +279,12 @@ std::vector<Section> fit_sections(const std::vector<Vector3>& points, std::vecto
   };
   fit();
   fitting.estimate_noise();
-  const std::vector<Index> absorbing = Limb_base_absorption(slices, fitting.sections(), limbs)();
+  const std::vector<Index> absorbing = absorb_limb_bases(slices, fitting.sections(), limbs);
   for (Index& slice : host) {
     slice = absorbing[slice];
   }
   fit();
-  limit_by_pipe_model(limbs, fitting);
+  fitting.limit_by_pipe_model(limbs);
   return fitting.sections();
 }
 
@@ -402,8 +383,8 @@ Tree_report skeletonize_cloud(const Point_cloud& cloud, const std::optional<Vect
   Neighbor_graph graph(points);
   const Gap_bridging bridging(points, graph);
   const std::vector<std::vector<Index>> roots = roots_of_objects(points, graph, bridging, root);
-  Root_distances distances(points, graph);
-  const std::vector<Point_gap> gaps = measure_distances(bridging, roots, graph, distances);
+  std::vector<Point_gap> gaps;
+  const Root_distances distances = measure_distances(points, bridging, roots, graph, gaps);
   std::vector<Slice> slices;
   Slice_growth growth(points, graph, distances);
   for (const std::vector<Index>& of_object : roots) {
@@ -503,4 +484,105 @@ Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::opt
   return report;
 }
 
+namespace {
+
+/// The volume of a cylinder.
+double volume(const Tree_cylinder& cylinder)
+{
+  return boost::math::double_constants::pi * cylinder.radius * cylinder.radius * cylinder.length;
+}
+
+/// The radius of a trunk where it first reaches a height, linear between nodes; not a number if it does not.
+double radius_at_height(const Skeleton& skeleton, const std::vector<std::size_t>& trunk, double height)
+{
+  for (std::size_t i = 1; i < trunk.size(); ++i) {
+    const double from = skeleton.points[trunk[i - 1]].z();
+    const double to = skeleton.points[trunk[i]].z();
+    if (from <= height && height < to) {
+      const double part = (height - from) / (to - from);
+      return (1 - part) * skeleton.radii[trunk[i - 1]] + part * skeleton.radii[trunk[i]];
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+std::vector<Tree_cylinder> make_tree_cylinders(const Skeleton& skeleton, const Tree_report& report)
+{
+  std::vector<Tree_cylinder> result;
+  std::vector<std::optional<std::size_t>> cylinder_to(skeleton.number_of_nodes()); // that ends in a node
+  for (std::size_t limb = 0; limb < report.branches.size(); ++limb) {
+    const std::vector<std::size_t>& nodes = report.branches[limb].nodes;
+    const bool is_trunk = report.branches[limb].parent == no_branch;
+    std::size_t position = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      const bool is_base = i == 1 && !is_trunk;
+      const double radius = skeleton.radii[nodes[i]];
+      const double radius_before = skeleton.radii[nodes[i - 1]];
+      const Vector3 edge = skeleton.points[nodes[i]] - skeleton.points[nodes[i - 1]];
+      const double inside = is_base ? radius_before : 0; // a limb begins at the bark of its parent
+      cylinder_to[nodes[i]] = cylinder_to[nodes[i - 1]];
+      if (!(edge.norm() > inside)) {
+        continue;
+      }
+      Tree_cylinder cylinder;
+      cylinder.axis = edge.normalized();
+      cylinder.start = skeleton.points[nodes[i - 1]] + inside * cylinder.axis;
+      cylinder.length = edge.norm() - inside;
+      cylinder.radius = is_base ? radius : (radius_before + radius) / 2;
+      cylinder.parent = cylinder_to[nodes[i - 1]];
+      cylinder.limb = limb;
+      cylinder.position = position++;
+      if (cylinder.position > 0) {
+        result.back().extension = result.size();
+      }
+      cylinder_to[nodes[i]] = result.size();
+      result.push_back(cylinder);
+    }
+  }
+  return result;
+}
+
+std::vector<Tree_measures> measure_trees(const Skeleton& skeleton, const Tree_report& report, double breast_height)
+{
+  std::vector<Tree_measures> result(report.number_of_objects);
+  std::vector<double> foot(report.number_of_objects, 0);
+  for (const Tree_branch& limb : report.branches) { // parents before children
+    Tree_measures& tree = result[limb.object];
+    if (limb.parent == no_branch) {
+      foot[limb.object] = skeleton.points[limb.nodes.front()].z();
+      tree.diameter_at_breast_height = 2 * radius_at_height(skeleton, limb.nodes, foot[limb.object] + breast_height);
+    }
+    tree.length += limb.length;
+    for (const std::size_t node : limb.nodes) {
+      tree.height = std::max(tree.height, skeleton.points[node].z() - foot[limb.object]);
+    }
+  }
+  for (const Tree_cylinder& cylinder : make_tree_cylinders(skeleton, report)) {
+    const Tree_branch& limb = report.branches[cylinder.limb];
+    result[limb.object].volume += volume(cylinder);
+    result[limb.object].trunk_volume += limb.parent == no_branch ? volume(cylinder) : 0;
+  }
+  return result;
+}
+
 } // namespace CSCD::internal
+
+namespace CSCD {
+
+void assign_limbs(const Tree_report& report, Skeleton_branches& branches)
+{
+  std::vector<std::size_t> limb_of_node(branches.branch_of_node.size(), 0);
+  for (std::size_t limb = report.branches.size(); limb-- > 0;) {
+    const Tree_branch& branch = report.branches[limb];
+    for (std::size_t i = branch.parent == no_branch ? 0 : 1; i < branch.nodes.size(); ++i) {
+      limb_of_node[branch.nodes[i]] = limb;
+    }
+  }
+  for (Skeleton_branch& branch : branches.branches) {
+    branch.limb = limb_of_node[branch.nodes.back()];
+  }
+}
+
+} // namespace CSCD
