@@ -8,7 +8,6 @@
 
 #include "Synthetic_tree.h"
 #include "Tree_match.h"
-#include "found_branches.h"
 #include "sampling.h"
 #include <CSCD/IO/read_points.h>
 #include <CSCD/Skeleton_graph.h>

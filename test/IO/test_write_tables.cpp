@@ -1,12 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of the table of branches as CSV.
+// Tests of the table of branches and of labels of vertices, of meshes, points and repaired files, as CSV.
 
 #include "sample_skeleton.h"
+#include "support/convert_shape.h"
+#include "support/limb_shapes.h"
 #include "write_in_foreign_locale.h"
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_tables.h>
 #include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector3.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +27,7 @@
 namespace {
 
 using namespace test_support;
+using CSCD::no_index, CSCD::Vector3, CSCD::Vertex_label;
 
 using Table_rows = std::vector<std::map<std::string, std::string>>;
 
@@ -91,6 +100,50 @@ TEST(Write_branch_table, leaves_empty_what_is_not_known)
     }
     EXPECT_NE("", row.at("length"));
   }
+}
+
+TEST(Label_vertices, agrees_with_the_skeleton)
+{
+  using Mesh = CGAL::Surface_mesh<Point>;
+  const auto mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  CSCD::Skeleton_graph<Point, Mesh::Vertex_index> skeleton;
+  CSCD::extract_curve_skeleton(mesh, skeleton);
+  const CSCD::Skeleton_branches branches = CSCD::measure_branches(skeleton, mesh);
+  const std::vector<Vertex_label> labels = label_vertices(mesh, skeleton, branches);
+  ASSERT_EQ(num_vertices(mesh), labels.size());
+  std::size_t number_of_labels = 0;
+  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+    for (const Mesh::Vertex_index vertex : skeleton[node].vertices) {
+      const Vertex_label& label = labels[std::size_t(vertex)];
+      EXPECT_EQ(node, label.node);
+      EXPECT_EQ(branches.branch_of_node[node], label.branch);
+      ++number_of_labels;
+    }
+  }
+  EXPECT_EQ(labels.size(), number_of_labels);
+}
+
+TEST(Write_correspondence, leaves_fields_of_vertices_without_a_node_empty)
+{
+  std::ostringstream out;
+  CSCD::write_correspondence(out, {{1, 0}, {no_index, no_index}, {1, 0}});
+  EXPECT_EQ("vertex,node,branch\n0,1,0\n1,,\n2,1,0\n", out.str());
+}
+
+TEST(Labels_of_file, follow_points_that_were_merged_doubled_and_dropped)
+{
+  const Vector3 a(0, 0, 0);
+  const Vector3 b(1, 0, 0);
+  const Vector3 c(2, 0, 0);
+  const Vector3 minus_a(-0., 0, -0.);
+  // b is doubled in the mesh and its first copy has no node; a is twice in the file, c was dropped.
+  const std::vector<Vertex_label> labels{{0, 0}, {no_index, 0}, {2, 0}};
+  const std::vector<Vertex_label> result = CSCD::internal::labels_of_file({a, b, c, minus_a}, {a, b, b}, labels);
+  ASSERT_EQ(4u, result.size());
+  EXPECT_EQ(0u, result[0].node);
+  EXPECT_EQ(2u, result[1].node);
+  EXPECT_EQ(no_index, result[2].node);
+  EXPECT_EQ(0u, result[3].node);
 }
 
 } // namespace

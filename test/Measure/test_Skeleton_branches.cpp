@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of the table of branches: measures of drawn skeletons, roots and orders, and parts of surfaces whose area and
-// volume are known.
+// Tests of branches and their table: measures of drawn skeletons, roots and orders, and parts of surfaces whose area
+// and volume are known.
 
 #include "support/Shape.h"
 #include "support/convert_shape.h"
@@ -11,6 +11,7 @@
 #include "support/swept_shapes.h"
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -72,6 +73,27 @@ const Skeleton_branch& between(const Skeleton_branches& table, Index a, Index b)
   }
   ADD_FAILURE() << "no branch between " << a << " and " << b;
   return table.branches.front();
+}
+
+using Branches = std::vector<std::vector<std::size_t>>;
+
+Branches branches(std::size_t number_of_nodes, const Edges& edges)
+{
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+  return CSCD::split_into_branches(Graph(edges.begin(), edges.end(), number_of_nodes));
+}
+
+TEST(Split_into_branches, of_known_graphs)
+{
+  EXPECT_EQ((Branches{{0}, {1}}), branches(2, {})) << "isolated nodes";
+  EXPECT_EQ((Branches{{0, 2, 1, 3}}), branches(4, {{1, 3}, {2, 1}, {0, 2}})) << "a path, from its lesser end";
+  EXPECT_EQ((Branches{{0, 1, 2, 0}}), branches(3, {{0, 1}, {1, 2}, {2, 0}})) << "a cycle";
+  EXPECT_EQ((Branches{{3, 4}, {0, 1, 2, 0}}), branches(5, {{0, 1}, {1, 2}, {2, 0}, {3, 4}})) << "cycles come last";
+  EXPECT_EQ((Branches{{0, 1}, {1, 2, 3, 1}}), branches(4, {{0, 1}, {1, 2}, {2, 3}, {3, 1}})) << "a loop at a junction";
+  EXPECT_EQ((Branches{{0, 2, 1}, {0, 1}, {0, 3, 4, 1}}), branches(5, {{0, 2}, {2, 1}, {0, 1}, {0, 3}, {3, 4}, {4, 1}}));
+  EXPECT_EQ((Branches{{0, 1}, {0, 1}, {0, 1}}), branches(2, {{0, 1}, {1, 0}, {0, 1}})) << "parallel edges";
+  EXPECT_EQ((Branches{{0, 1, 0}}), branches(2, {{0, 1}, {1, 0}})) << "a cycle: both have degree 2";
+  EXPECT_EQ((Branches{{0, 1}, {1, 2, 1}}), branches(3, {{0, 1}, {1, 2}, {2, 1}}));
 }
 
 using Ends = std::array<Branch_end, 2>;

@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outputs of the program when the disk is full, memory runs out, or it is killed: all of them, or none.
+// The outputs of the program when the disk is full, memory runs out, or it is killed: all of them, or none. The memory
+// that control groups leave.
 
+#include "../../program/memory.h"
 #include "IO/mesh_files.h"
 #include "program/Cscd.h"
+#include "support/Temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -152,6 +156,30 @@ TEST_F(Faults, killed_at_any_time_no_output_is_half_written)
     remove_outputs();
   }
   EXPECT_TRUE(is_done);
+}
+
+constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+
+TEST(memory_left_in_groups, is_the_least_of_those_around)
+{
+  const Temporary_folder root;
+  std::filesystem::create_directories(root.path() / "slice/job");
+  const auto left = [&](const char* group) {
+    return cscd::memory_left_in_groups((root.path() / group).string(), root.path().string());
+  };
+  EXPECT_EQ(left("slice/job"), unbounded);
+  root.write("slice/job/memory.max", "max\n");
+  root.write("slice/job/memory.current", "300\n");
+  EXPECT_EQ(left("slice/job"), unbounded);
+  root.write("slice/memory.max", "1000\n");
+  root.write("slice/memory.current", "700\n");
+  EXPECT_EQ(left("slice/job"), 300U);
+  root.write("slice/memory.stat", "anon 450\nfile 250\nkernel 10\n");
+  EXPECT_EQ(left("slice/job"), 550U);
+  root.write("memory.max", "100\n");
+  root.write("memory.current", "150\n");
+  EXPECT_EQ(left("slice/job"), 0U);
+  EXPECT_EQ(left("none/such"), 0U);
 }
 
 } // namespace

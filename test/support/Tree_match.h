@@ -8,12 +8,14 @@
 
 #include "Shape.h"
 #include "Synthetic_tree.h"
+#include <CSCD/Tree/Tree_report.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::test {
@@ -26,6 +28,27 @@ struct Found_branch
   std::optional<std::size_t> parent;
   std::size_t order = 0;
 };
+
+/// The branches of the skeleton of a tree. \tparam Skeleton a `Skeleton_graph`
+template <class Skeleton>
+std::vector<Found_branch> found_branches(const Skeleton& skeleton, const Tree_report& report)
+{
+  std::vector<Found_branch> result;
+  for (const Tree_branch& branch : report.branches) {
+    Found_branch found;
+    for (const std::size_t node : branch.nodes) {
+      const auto& p = skeleton[node].point;
+      found.axis.push_back({p.x(), p.y(), p.z()});
+      found.radii.push_back(skeleton[node].radius);
+    }
+    if (branch.parent != no_branch) {
+      found.parent = branch.parent;
+    }
+    found.order = branch.order;
+    result.push_back(std::move(found));
+  }
+  return result;
+}
 
 /// The result of matching a tree.
 struct Tree_match
