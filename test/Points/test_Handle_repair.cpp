@@ -6,6 +6,7 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Handle_repair.h>
+#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
@@ -112,7 +113,7 @@ TEST(split_pinched_vertices, gives_every_fan_a_vertex)
   }
   triangles.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}, {0, 7, 8}};
   Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  const std::vector<Index> originals = split_pinched_vertices(triangles, pairing);
+  const std::vector<Index> originals = CSCD::internal::split_pinched_vertices(triangles, pairing);
   EXPECT_EQ((std::vector<Index>{0, 0}), originals);
   ASSERT_EQ(11u, triangles.points.size());
   EXPECT_EQ(triangles.points[0], triangles.points[9]);

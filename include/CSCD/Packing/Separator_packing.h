@@ -14,10 +14,7 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 
-#include <boost/unordered_map.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -230,7 +227,7 @@ public:
   void pack(const Predicate& is_allowed)
   {
     m_packed.clear();
-    m_cells.clear();
+    m_packed_along.clear();
     m_arrangement.clear();
     for (Index separator : m_order) {
       if (is_allowed(separator) && is_spaced(separator)) {
@@ -245,11 +242,7 @@ public:
     const bool is_inserted = m_arrangement.insert(separator, m_separators[separator].crossings);
     if (is_inserted) {
       m_packed.push_back(separator);
-      const Separator& added = m_separators[separator];
-      if (added.radius() > 0) {
-        const int size = std::ilogb(added.radius());
-        m_cells[size][cell(added.center, width_of_cells(size))].push_back(separator);
-      }
+      m_packed_along.emplace(place_along(m_separators[separator].center), separator);
     }
     return is_inserted;
   }
@@ -264,56 +257,29 @@ private:
   /// The centers of packed separators keep this distance, relative to the radius of the shorter one.
   static constexpr double min_spacing = 0.3;
 
-  /// A cube of a lattice, by whole numbers.
-  using Cell = std::array<double, 3>;
+  /// The coordinate along an axis of unit length that is oblique to most models, so that few centers have the same.
+  static double place_along(const Vector3& point) { return point.dot(Vector3(0.42, 0.56, 0.71)); }
 
-  /// Twice the distance that separators keep, at most, from those whose radius has the binary exponent `size`.
-  static double width_of_cells(int size) { return std::ldexp(2 * min_spacing, size + 1); }
-
-  static Cell cell(const Vector3& point, double width)
-  {
-    return {std::floor(point.x() / width), std::floor(point.y() / width), std::floor(point.z() / width)};
-  }
-
-  bool is_too_near(const Separator& a, const Separator& b) const
-  {
-    const double distance = min_spacing * std::min(a.radius(), b.radius());
-    return (a.center - b.center).squaredNorm() < distance * distance;
-  }
-
-  /// Whether `candidate` keeps its distance from all that are packed. Looks into at most 8 cells for each power of two
-  /// among their radii.
+  /// Whether `candidate` keeps its distance from all that are packed; these are compared with it if they are as near
+  /// along the axis.
   bool is_spaced(Index candidate) const
   {
-    constexpr double tolerance = 1 + 1e-9; // relative: far above rounding
     const Separator& a = m_separators[candidate];
-    for (const auto& [size, cells] : m_cells) {
-      const double width = width_of_cells(size);
-      const double reach = tolerance * std::min(min_spacing * a.radius(), width / 2);
-      const Cell first = cell(a.center - Vector3::Constant(reach), width);
-      const Cell last = cell(a.center + Vector3::Constant(reach), width);
-      for (int x = 0; first[0] + x <= last[0]; ++x) {
-        for (int y = 0; first[1] + y <= last[1]; ++y) {
-          for (int z = 0; first[2] + z <= last[2]; ++z) {
-            const auto found = cells.find({first[0] + x, first[1] + y, first[2] + z});
-            if (found != cells.end() && std::any_of(found->second.begin(), found->second.end(), [&](Index packed) {
-                  return is_too_near(a, m_separators[packed]);
-                })) {
-              return false;
-            }
-          }
-        }
-      }
-    }
-    return true;
+    const auto is_far = [&](const auto& packed) {
+      const Separator& b = m_separators[packed.second];
+      const double distance = min_spacing * std::min(a.radius(), b.radius());
+      return (a.center - b.center).squaredNorm() >= distance * distance;
+    };
+    const double place = place_along(a.center);
+    const double reach = min_spacing * a.radius();
+    return std::all_of(m_packed_along.lower_bound(place - reach), m_packed_along.upper_bound(place + reach), is_far);
   }
 
   const std::vector<Separator>& m_separators;
   Separator_arrangement m_arrangement;
   std::vector<Index> m_order;
   std::vector<Index> m_packed;
-  /// The packed separators in each cell, by the exponents of their radii.
-  std::map<int, boost::unordered_map<Cell, std::vector<Index>>> m_cells;
+  std::multimap<double, Index> m_packed_along; ///< the packed separators by the places of their centers
 };
 
 /// Greedy weighted set packing of separators (section 3.2.3), followed by pruning: the separators of a branch that no

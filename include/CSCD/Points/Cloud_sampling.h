@@ -26,6 +26,19 @@ namespace CSCD::internal {
 /// The neighbors that show the direction of a surface that is sampled at random: more reach over to the next limb.
 inline constexpr Index quadric_neighbors = 16;
 
+/// The covariance of `offsets`, and their principal axes.
+/// \pre there are offsets
+inline Principal_axes axes_of(const std::vector<Vector3>& offsets)
+{
+  Vector3 mean = Vector3::Zero();
+  Moment_matrix moments{};
+  for (const Vector3& offset : offsets) {
+    mean += offset / double(offsets.size());
+    moments += Moment_matrix::product(offset, offset) / double(offsets.size());
+  }
+  return principal_axes(moments - Moment_matrix::product(mean, mean));
+}
+
 /// A quadratic height field, fitted by least squares over the plane of a neighborhood, at its central point.
 struct Quadric_fit
 {

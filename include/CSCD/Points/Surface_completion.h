@@ -25,6 +25,48 @@
 
 namespace CSCD::internal {
 
+/// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
+/// appended. Linear. \return for every copy, in order, its original
+/// \pre `pairing`, that of the faces, has no conflict; it is kept so
+inline std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)
+{
+  if (pairing.pinched_vertex() == no_index) {
+    return {};
+  }
+  std::vector<char> is_visited(pairing.number_of_halfedges(), 0);
+  std::vector<char> has_fan(triangles.points.size(), 0);
+  std::vector<Index> originals;
+  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
+    if (is_visited[halfedge]) {
+      continue;
+    }
+    Index vertex = triangles.origin(halfedge);
+    if (has_fan[vertex]) {
+      originals.push_back(vertex);
+      triangles.points.push_back(Vector3(triangles.points[vertex]));
+      vertex = Index(triangles.points.size() - 1);
+    } else {
+      has_fan[vertex] = 1;
+    }
+    const auto give = [&](Index h) {
+      is_visited[h] = 1;
+      triangles.faces[h / 3][h % 3] = vertex;
+    };
+    Index at = halfedge;
+    do {
+      give(at);
+      at = pairing.twin(Halfedge_pairing::previous(at));
+    } while (at != no_index && at != halfedge);
+    // From a border on, the rest of the fan is on the other side of the first halfedge.
+    for (at = at == no_index ? pairing.twin(halfedge) : no_index; at != no_index; at = pairing.twin(at)) {
+      at = Halfedge_pairing::next(at);
+      give(at);
+    }
+  }
+  pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  return originals;
+}
+
 /// The result of a reconstruction: a closed surface through points.
 struct Reconstructed_surface
 {

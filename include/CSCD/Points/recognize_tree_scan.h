@@ -6,6 +6,7 @@
 #ifndef CSCD_POINTS_RECOGNIZE_TREE_SCAN_H
 #define CSCD_POINTS_RECOGNIZE_TREE_SCAN_H
 
+#include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/principal_axes.h>

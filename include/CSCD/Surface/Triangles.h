@@ -11,8 +11,6 @@
 #include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
-#include <CGAL/Iterator_range.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -242,10 +240,6 @@ public:
   bool has_border() const { return m_findings.has_border; }
 
 private:
-  /// Most degrees are at most this, and nearly all the second one. Fans of more faces are ordered by sorting, so that
-  /// they do not cost their degree squared.
-  static constexpr std::size_t small_degree = 8;
-  static constexpr std::size_t medium_degree = 16;
   /// Prefetch distance, in vertices.
   static constexpr Index prefetch_distance = 8;
   /// Vertices that are paired at once: enough that the parallel loop itself does not count.
@@ -259,10 +253,20 @@ private:
     bool has_border = false;
   };
 
+  /// The corner of a face at a vertex.
+  struct Fan_corner
+  {
+    Index target;     ///< of its halfedge
+    Index apex;       ///< the third vertex of its face
+    Index halfedge;   ///< that leaves the vertex
+    std::size_t next; ///< the position of the corner that comes next counterclockwise; past the end at a border
+  };
+
   /// Pairs and orders the halfedges that leave the vertices from `begin` to `end` - 1, and no others.
   Findings pair_range(const std::vector<std::array<Index, 3>>& faces, Index begin, Index end)
   {
     Findings findings;
+    std::vector<Fan_corner> corners;
     for (Index vertex = begin; vertex < end; ++vertex) {
 #ifdef __GNUC__
       // Half of the time went to waiting for faces: prefetch the faces of a vertex that comes soon.
@@ -272,112 +276,56 @@ private:
         }
       }
 #endif
-      pair_around(faces, vertex, findings);
+      corners.clear();
+      for (const Index h : m_outgoing[vertex]) {
+        corners.push_back({faces[face(h)][next(h) % 3], faces[face(h)][previous(h) % 3], h, m_outgoing.size(vertex)});
+      }
+      if (!corners.empty()) {
+        pair_around(vertex, corners, findings);
+      }
     }
     return findings;
   }
-  /// Pairs and orders the halfedges that leave `vertex`.
-  void pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings)
-  {
-    const auto row = m_outgoing[vertex];
-    const auto degree = row.size();
-    if (degree <= small_degree ? !order_by_search<small_degree>(faces, row)
-                               : degree > medium_degree || !order_by_search<medium_degree>(faces, row)) {
-      order_by_sorting(faces, vertex, findings);
-      return;
-    }
-    for (const Index* h = row.begin(); h != row.end(); ++h) {
-      m_twin[*h] = previous(h == row.begin() ? *(row.end() - 1) : *(h - 1));
-    }
-  }
 
-  /// Orders `row` counterclockwise from its first halfedge on, by searching one after the other; false if the faces do
-  /// not go once around.
-  template <std::size_t max_degree>
-  static bool order_by_search(const std::vector<std::array<Index, 3>>& faces, CGAL::Iterator_range<Index*> row)
+  /// Pairs and orders the halfedges that leave `vertex` in `corners`, in ascending order.
+  void pair_around(Index vertex, std::vector<Fan_corner>& corners, Findings& findings)
   {
-    std::array<Index, max_degree> target{};
-    std::array<Index, max_degree> apex{};
-    std::array<Index, max_degree> ordered{};
-    target.fill(no_index);
-    const auto degree = std::size_t(row.size());
-    for (std::size_t i = 0; i < degree; ++i) {
-      const Index h = row.begin()[i];
-      const std::array<Index, 3>& corners = faces[face(h)];
-      target[i] = corners[next(h) % 3];
-      apex[i] = corners[previous(h) % 3];
-    }
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < degree; ++i) {
-      ordered[i] = row.begin()[at];
-      // All are compared, without a branch; the sum gives the place of one, and shows if none or several match.
-      std::size_t sum = 0;
-      for (std::size_t j = 0; j < max_degree; ++j) {
-        sum += target[j] == apex[at] ? max_degree + j : 0;
-      }
-      at = sum - max_degree;
-      if (at >= degree || (at == 0) != (i + 1 == degree)) {
-        return false;
-      }
-    }
-    std::copy(ordered.begin(), ordered.begin() + std::ptrdiff_t(degree), row.begin());
-    return true;
-  }
-
-  /// Pairs and orders by sorting, for faces of any kind; finds borders, conflicts and pinched vertices.
-  void order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings)
-  {
-    struct Sorted_corner
-    {
-      Index target;
-      Index apex;
-      Index halfedge;
-      bool operator<(const Sorted_corner& other) const
-      {
-        return std::tie(target, halfedge) < std::tie(other.target, other.halfedge);
-      }
+    const auto leads_to_less = [](const Fan_corner& a, const Fan_corner& b) {
+      return std::tie(a.target, a.halfedge) < std::tie(b.target, b.halfedge);
     };
-    const auto row = m_outgoing[vertex];
-    if (row.empty()) {
-      return;
-    }
-    std::vector<Sorted_corner> corners;
-    corners.reserve(row.size());
-    for (const Index h : row) {
-      corners.push_back({faces[face(h)][next(h) % 3], faces[face(h)][previous(h) % 3], h});
-    }
-    std::sort(corners.begin(), corners.end());
-    const auto is_same_edge = [](const Sorted_corner& a, const Sorted_corner& b) { return a.target == b.target; };
-    const auto same = std::adjacent_find(corners.begin(), corners.end(), is_same_edge);
+    std::sort(corners.begin(), corners.end(), leads_to_less);
+    const auto same = std::adjacent_find(corners.begin(), corners.end(),
+                                         [](const Fan_corner& a, const Fan_corner& b) { return a.target == b.target; });
     if (same != corners.end() && findings.conflict == no_index) {
       findings.conflict = (same + 1)->halfedge;
     }
-    const auto is_less = [](const Sorted_corner& a, const Sorted_corner& b) { return a.halfedge < b.halfedge; };
-    auto first = std::min_element(corners.begin(), corners.end(), is_less);
-    std::vector<std::size_t> next_corner(corners.size(), corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto found = std::lower_bound(corners.begin(), corners.end(), Sorted_corner{corners[i].apex, 0, 0});
-      if (found != corners.end() && found->target == corners[i].apex) {
-        next_corner[i] = std::size_t(found - corners.begin());
-        m_twin[found->halfedge] = previous(corners[i].halfedge);
+    for (Fan_corner& corner : corners) {
+      const auto found =
+          std::lower_bound(corners.begin(), corners.end(), Fan_corner{corner.apex, 0, 0, 0}, leads_to_less);
+      if (found != corners.end() && found->target == corner.apex) {
+        corner.next = std::size_t(found - corners.begin());
+        m_twin[found->halfedge] = previous(corner.halfedge);
       }
     }
-    bool is_on_border = false;
-    for (auto it = corners.begin(); it != corners.end(); ++it) {
-      if (m_twin[it->halfedge] == no_index) {
-        first = is_on_border && is_less(*first, *it) ? first : it;
-        findings.has_border = is_on_border = true;
-      }
+    // The corner that begins the fan: the first one behind a border, else the first of all.
+    const auto comes_first = [this](const Fan_corner& a, const Fan_corner& b) {
+      return std::make_tuple(m_twin[a.halfedge] != no_index, a.halfedge) <
+             std::make_tuple(m_twin[b.halfedge] != no_index, b.halfedge);
+    };
+    const auto first = std::min_element(corners.begin(), corners.end(), comes_first);
+    findings.has_border = findings.has_border || m_twin[first->halfedge] == no_index;
+    std::size_t size = 1; // of the fan
+    for (std::size_t at = first->next;
+         at < corners.size() && corners[at].halfedge != first->halfedge && size < corners.size();
+         at = corners[at].next) {
+      ++size;
     }
-    std::vector<Index> ordered;
-    ordered.reserve(corners.size());
-    std::size_t at = std::size_t(first - corners.begin());
-    do {
-      ordered.push_back(corners[at].halfedge);
-      at = next_corner[at];
-    } while (at < corners.size() && ordered.size() < corners.size() && corners[at].halfedge != first->halfedge);
-    if (ordered.size() == corners.size()) {
-      std::copy(ordered.begin(), ordered.end(), row.begin());
+    if (size == corners.size()) {
+      auto at = std::size_t(first - corners.begin());
+      for (Index& h : m_outgoing[vertex]) {
+        h = corners[at].halfedge;
+        at = corners[at].next;
+      }
     } else if (findings.pinched_vertex == no_index) {
       findings.pinched_vertex = vertex;
     }
@@ -398,6 +346,9 @@ struct Checked_triangles
 };
 
 namespace internal {
+
+/// With more faces than this the halfedges of the refined surface could no longer be indexed.
+inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
 
 /// Throws for the edge of `halfedge`, whose faces contradict each other.
 [[noreturn]] inline void refuse_edge(const Checked_triangles& checked, Index halfedge)
@@ -440,14 +391,18 @@ inline void keep_used_points(Checked_triangles& checked)
 /// Leaves out the points without a face, and pairs the halfedges of the rest. Linear.
 /// \param number_of_threads 0 for as many as TBB allows
 /// \pre each face has three different corners, which are less than the number of points
-/// \throw Input_error naming the element, by its number in the input, if `faces` is empty, an edge has more than two
-///        faces or faces of opposite orientation, a vertex is pinched, or a coordinate is not finite
+/// \throw Input_error naming the element, by its number in the input, if `faces` is empty, there are more than 2^26
+///        faces or points, an edge has more than two faces or faces of opposite orientation, a vertex is pinched, or a
+///        coordinate is not finite
 inline Checked_triangles check_triangles(std::vector<Vector3>&& points, std::vector<std::array<Index, 3>>&& faces,
                                          unsigned number_of_threads = 1)
 {
   if (faces.empty()) {
     throw Input_error(
         "the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
+  }
+  if (std::max(faces.size(), points.size()) > internal::maximum_number_of_faces) {
+    throw Input_error("the mesh has more than 2^26 faces or vertices: simplify it first");
   }
   Checked_triangles result;
   result.triangles.points = std::move(points);
@@ -480,48 +435,6 @@ inline Checked_triangles check_triangles(Indexed_triangles&& triangles, Halfedge
     result.pairing = Halfedge_pairing(result.triangles.faces, result.triangles.points.size(), number_of_threads);
   }
   return result;
-}
-
-/// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
-/// appended. Linear. \return for every copy, in order, its original
-/// \pre `pairing`, that of the faces, has no conflict; it is kept so
-inline std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)
-{
-  if (pairing.pinched_vertex() == no_index) {
-    return {};
-  }
-  std::vector<char> is_visited(pairing.number_of_halfedges(), 0);
-  std::vector<char> has_fan(triangles.points.size(), 0);
-  std::vector<Index> originals;
-  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
-    if (is_visited[halfedge]) {
-      continue;
-    }
-    Index vertex = triangles.origin(halfedge);
-    if (has_fan[vertex]) {
-      originals.push_back(vertex);
-      triangles.points.push_back(Vector3(triangles.points[vertex]));
-      vertex = Index(triangles.points.size() - 1);
-    } else {
-      has_fan[vertex] = 1;
-    }
-    const auto give = [&](Index h) {
-      is_visited[h] = 1;
-      triangles.faces[h / 3][h % 3] = vertex;
-    };
-    Index at = halfedge;
-    do {
-      give(at);
-      at = pairing.twin(Halfedge_pairing::previous(at));
-    } while (at != no_index && at != halfedge);
-    // From a border on, the rest of the fan is on the other side of the first halfedge.
-    for (at = at == no_index ? pairing.twin(halfedge) : no_index; at != no_index; at = pairing.twin(at)) {
-      at = Halfedge_pairing::next(at);
-      give(at);
-    }
-  }
-  pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-  return originals;
 }
 
 } // namespace CSCD

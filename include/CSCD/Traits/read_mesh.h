@@ -33,9 +33,6 @@ auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
   }
 }
 
-/// With more faces than this the halfedges of the refined surface could no longer be indexed.
-inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
-
 /// The points and triangles of a mesh as arrays, in the iteration order of the mesh.
 template <class VertexDescriptor>
 struct Mesh_arrays
@@ -76,17 +73,12 @@ std::array<Index, 3> read_corners(const TriangleMesh& mesh, const VertexNumbers&
 /// Reads `mesh`. Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
 /// \param mesh a model of `FaceListGraph`
 /// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
-/// \throw Input_error naming the face that is not a triangle or uses a vertex twice; or if the mesh has too many
-///        faces for their indices
+/// \throw Input_error naming the face that is not a triangle or uses a vertex twice
 template <class TriangleMesh, class VertexPointMap>
 Mesh_arrays<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> read_mesh(const TriangleMesh& mesh,
                                                                                      const VertexPointMap& point_map)
 {
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  if (std::size_t(num_faces(mesh)) > maximum_number_of_faces ||
-      std::size_t(num_vertices(mesh)) > maximum_number_of_faces) {
-    throw Input_error("the mesh has more than 2^26 faces or vertices: simplify it first");
-  }
   Mesh_arrays<Vertex_descriptor> result;
   auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
   result.descriptors.reserve(num_vertices(mesh));

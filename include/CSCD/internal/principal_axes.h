@@ -15,7 +15,6 @@
 #include <limits>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace CSCD::internal {
 
@@ -128,19 +127,6 @@ inline Principal_axes principal_axes(const Moment_matrix& matrix)
     value = value * scale + mean;
   }
   return result;
-}
-
-/// The covariance of `offsets`, and their principal axes.
-/// \pre there are offsets
-inline Principal_axes axes_of(const std::vector<Vector3>& offsets)
-{
-  Vector3 mean = Vector3::Zero();
-  Moment_matrix moments{};
-  for (const Vector3& offset : offsets) {
-    mean += offset / double(offsets.size());
-    moments += Moment_matrix::product(offset, offset) / double(offsets.size());
-  }
-  return principal_axes(moments - Moment_matrix::product(mean, mean));
 }
 
 } // namespace CSCD::internal
