@@ -53,7 +53,8 @@ CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, c
     if (mesh == nullptr) {
       return CSCD::internal::simplify_skeleton(skeleton, options.steps, nullptr);
     }
-    const CSCD::Triangulated_solid solid(std::vector(mesh->points), std::vector(mesh->faces));
+    const CSCD::Triangulated_solid solid(std::vector(mesh->points), std::vector(mesh->faces),
+                                         CSCD::Border_treatment::bridge);
     return CSCD::internal::simplify_skeleton(skeleton, options.steps, &solid);
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(options.skeleton + ": " + error.what());

@@ -68,9 +68,7 @@ public:
   {
   }
   /// Prepares to skeletonize `input`, a mesh or another input that traits can be constructed from, which is not
-  /// referred to later: `Curve_skeletonization skeletonization(mesh);`. Borders of a mesh are bridged, those of sheets,
-  /// too: for the default of `extract_curve_skeleton()`, construct a `Triangle_mesh_traits` with
-  /// `Border_treatment::automatic`.
+  /// referred to later: `Curve_skeletonization skeletonization(mesh);`.
   /// \throw Input_error if the input cannot be skeletonized; the message names the element and the remedy
   template <class Input,
             std::enable_if_t<!std::is_same_v<Input, Traits> && std::is_constructible_v<Traits, const Input&>, int> = 0>

@@ -489,7 +489,7 @@ std::vector<Surface_loop<Vector3>> find_surface_loops(std::vector<Vector3> point
                                                       std::vector<std::array<Index, 3>> faces, unsigned random_seed,
                                                       double min_depth)
 {
-  const Triangulated_solid solid(std::move(points), std::move(faces));
+  const Triangulated_solid solid(std::move(points), std::move(faces), Border_treatment::bridge);
   const Normalization& normalization = solid.normalization();
   std::vector<Surface_loop<Vector3>> loops = Surface_loop_search(solid)(random_seed, min_depth);
   for (Surface_loop<Vector3>& loop : loops) {

@@ -173,7 +173,8 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const TriangleMesh& 
 {
   check_triangle_mesh<TriangleMesh>();
   const auto point_map = internal::vertex_point_map(mesh, np);
-  const Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>> traits(mesh, point_map);
+  const Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>> traits(mesh, point_map,
+                                                                                     Border_treatment::bridge);
   return internal::simplify_skeleton(skeleton, &traits.surface(), np);
 }
 

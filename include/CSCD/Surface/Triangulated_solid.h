@@ -47,7 +47,7 @@ public:
   /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
   /// \throw Input_error as `check_triangles()` does, or if the surface has no extent or no area
   Triangulated_solid(std::vector<Vector3>&& points, std::vector<std::array<Index, 3>>&& faces,
-                     Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
+                     Border_treatment treatment = Border_treatment::automatic, unsigned number_of_threads = 1)
       : Triangulated_solid{Clock::now(), check_triangles(std::move(points), std::move(faces), number_of_threads),
                            treatment, number_of_threads}
   {
@@ -55,7 +55,7 @@ public:
   /// The same for triangles whose halfedges are paired; the faces before `first_hole_filling_face` have an area.
   /// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
   Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                     Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
+                     Border_treatment treatment = Border_treatment::automatic, unsigned number_of_threads = 1)
       : Triangulated_solid{Clock::now(), check_triangles(std::move(triangles), std::move(pairing), number_of_threads),
                            treatment, number_of_threads}
   {
