@@ -12,6 +12,7 @@
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Options.h>
+#include <CSCD/Volume/Voxel_surface.h>
 
 #include <cstddef>
 #include <functional>
@@ -157,7 +158,7 @@ inline constexpr unsigned any_input = mesh_input | point_input | volume_input | 
 
 /// The place of the value of an option.
 using Option_value =
-    std::variant<bool*, unsigned*, std::size_t*, double*, std::optional<int>*, std::optional<unsigned>*,
+    std::variant<bool*, unsigned*, std::size_t*, double*, std::optional<int>*, std::optional<CSCD::Voxel_label>*,
                  std::optional<double>*, std::string*, std::vector<std::string>*>;
 
 /// A row of a table of options: name, place of the value, range, and where the option applies.

@@ -35,7 +35,7 @@ CSCD::Voxel_surface_settings settings_of(const Volume_options& options)
 }
 
 /// `filename` with `label` before its ending.
-std::string insert_label(const std::string& filename, std::uint32_t label)
+std::string insert_label(const std::string& filename, CSCD::Voxel_label label)
 {
   const char* const polylines = ".polylines.txt"; // the only ending with two dots
   const std::size_t end = boost::algorithm::iends_with(filename, polylines)
@@ -44,7 +44,7 @@ std::string insert_label(const std::string& filename, std::uint32_t label)
   return filename.substr(0, end) + "_" + std::to_string(label) + filename.substr(end);
 }
 
-Skeletonize_options options_of_body(const Skeletonize_options& options, std::uint32_t label)
+Skeletonize_options options_of_body(const Skeletonize_options& options, CSCD::Voxel_label label)
 {
   Skeletonize_options result = options;
   result.outputs.erase(std::remove_if(result.outputs.begin(), result.outputs.end(), is_node_volume),

@@ -15,6 +15,7 @@
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/Volume/Voxel_surface.h>
 
 #include <boost/preprocessor/punctuation/comma_if.hpp>
 #include <boost/preprocessor/seq/for_each_i.hpp>
@@ -23,7 +24,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -34,7 +34,7 @@ namespace cscd {
 /// A body in a volume.
 struct Volume_body
 {
-  std::uint32_t label = 0;
+  CSCD::Voxel_label label = 0;
   std::size_t number_of_voxels = 0;
   std::size_t number_of_cavities = 0;
 };

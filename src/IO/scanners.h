@@ -106,7 +106,7 @@ Number stored_number(const char* bytes, Byte_order order)
                                      : endian_load<Number, sizeof(Number), Byte_order::big>(raw);
 }
 
-/// Numbers of one type in memory, each `stride` bytes behind the one before. Integers beyond 2^53 are rounded.
+/// Numbers of one type in memory, each `stride` bytes behind the one before.
 struct Number_view
 {
   const char* bytes = nullptr; ///< of the first one
@@ -115,13 +115,19 @@ struct Number_view
   std::size_t stride = 0;
   std::size_t count = 0;
 
-  /// Calls `use(i, number)` for all of them in their order.
+  /// Calls `use(i, number)` for all of them in their order. Integers beyond 2^53 are rounded.
   template <class Use>
   void for_each(const Use& use) const
   {
+    for_each_exact([&use](std::size_t i, auto number) { use(i, double(number)); });
+  }
+  /// The same with numbers of the type that is stored.
+  template <class Use>
+  void for_each_exact(const Use& use) const
+  {
     with_number_type(type, [this, &use](auto zero) {
       for (std::size_t i = 0; i < count; ++i) {
-        use(i, double(stored_number<decltype(zero)>(bytes + i * stride, order)));
+        use(i, stored_number<decltype(zero)>(bytes + i * stride, order));
       }
     });
   }

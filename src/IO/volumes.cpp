@@ -42,6 +42,7 @@
 #include <ostream>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -67,12 +68,55 @@ std::size_t checked_product(const std::string& filename, std::initializer_list<s
   return product;
 }
 
-/// The values of a volume, slice by slice.
+/// Selects voxels by their values, and labels them.
+struct Voxel_labeling
+{
+  const Voxel_selection& selection;
+  const std::string& filename; ///< for messages
+
+  /// The label of a voxel of this value; 0 if it is not selected.
+  template <class Number>
+  Voxel_label operator()(Number value) const
+  {
+    if (selection.threshold) {
+      return double(value) >= *selection.threshold ? 1 : 0;
+    }
+    const std::optional<Voxel_label> label = to_label(value);
+    if (selection.label) {
+      return label == selection.label ? *label : 0;
+    }
+    if (!selection.separates_labels) {
+      return label != Voxel_label(0) ? 1 : 0;
+    }
+    if (!label) {
+      fail_in_file(filename, "a voxel has the value " + std::to_string(value) + ", which is not an integer from 0 on",
+                   "choose a threshold");
+    }
+    return *label;
+  }
+
+private:
+  /// The label that `value` is, if any; 0 if it is not a number.
+  template <class Number>
+  static std::optional<Voxel_label> to_label(Number value)
+  {
+    constexpr double end_of_labels = 0x1p64;
+    if constexpr (std::is_floating_point_v<Number>) {
+      value = std::isnan(value) ? 0 : value;
+      if (value != std::floor(value) || double(value) >= end_of_labels) {
+        return std::nullopt;
+      }
+    }
+    return std::is_unsigned_v<Number> || value >= Number(0) ? std::optional<Voxel_label>(value) : std::nullopt;
+  }
+};
+
+/// The voxels of a volume, slice by slice.
 struct Volume_file
 {
   virtual ~Volume_file() = default;
-  /// Reads the values of the next slice.
-  virtual void read_slice(std::vector<double>& values) = 0;
+  /// Reads the next slice, one of `labels` for each voxel.
+  virtual void read_slice(const Voxel_labeling& label_of, std::vector<Voxel_label>& labels) = 0;
 
   std::string filename;
   Volume_grid grid;
@@ -115,7 +159,7 @@ public:
     m_bytes.resize(grid.slice_size() * header.type.size);
   }
 
-  void read_slice(std::vector<double>& values) override
+  void read_slice(const Voxel_labeling& label_of, std::vector<Voxel_label>& labels) override
   {
     if (m_stream) {
       m_stream->read(m_bytes.data(), m_bytes.size());
@@ -125,9 +169,14 @@ public:
         fail_in_file(filename, "cannot be read to the end of its data", "check the disk or the connection");
       }
     }
-    values.resize(grid.slice_size());
-    const Number_view view{m_bytes.data(), m_header.type, m_header.order, m_header.type.size, values.size()};
-    view.for_each([&](std::size_t i, double value) { values[i] = m_header.slope * value + m_header.intercept; });
+    labels.resize(grid.slice_size());
+    const Number_view view{m_bytes.data(), m_header.type, m_header.order, m_header.type.size, labels.size()};
+    if (m_header.slope == 1 && m_header.intercept == 0) {
+      view.for_each_exact([&](std::size_t i, auto value) { labels[i] = label_of(value); });
+    } else {
+      view.for_each(
+          [&](std::size_t i, double value) { labels[i] = label_of(m_header.slope * value + m_header.intercept); });
+    }
   }
 
 private:
@@ -163,7 +212,7 @@ public:
     check_size();
   }
 
-  void read_slice(std::vector<double>& values) override
+  void read_slice(const Voxel_labeling& label_of, std::vector<Voxel_label>& labels) override
   {
     const Page page = read_page();
     if (page.width != m_page.width || page.height != m_page.height || page.type.kind != m_page.type.kind ||
@@ -171,7 +220,7 @@ public:
       fail_in_file(filename, "page " + std::to_string(m_number_of_slices) + " has another size or type than the first",
                    "write all slices alike");
     }
-    values.resize(grid.slice_size());
+    labels.resize(grid.slice_size());
     const std::size_t row_size = grid.size[0] * page.type.size;
     m_row.resize(std::size_t(TIFFScanlineSize(m_tiff.get())));
     if (m_row.size() < row_size) {
@@ -182,7 +231,7 @@ public:
         fail();
       }
       const Number_view view{m_row.data(), page.type, Byte_order::native, page.type.size, grid.size[0]};
-      view.for_each([&](std::size_t x, double value) { values[y * grid.size[0] + x] = value; });
+      view.for_each_exact([&](std::size_t x, auto value) { labels[y * grid.size[0] + x] = label_of(value); });
     }
     ++m_number_of_slices;
     if (m_number_of_slices < grid.size[2] && TIFFReadDirectory(m_tiff.get()) == 0) {
@@ -319,36 +368,16 @@ const Volume_grid& Volume_reader::grid() const
   return m_file->grid;
 }
 
-void Volume_reader::read_slice(std::vector<std::uint32_t>& labels)
+void Volume_reader::read_slice(std::vector<Voxel_label>& labels)
 {
-  m_file->read_slice(m_values);
-  labels.resize(m_values.size());
-  std::transform(m_values.begin(), m_values.end(), labels.begin(), [this](double value) -> std::uint32_t {
-    if (m_selection.threshold) {
-      return value >= *m_selection.threshold ? 1 : 0;
-    }
-    if (m_selection.label) {
-      return value == double(*m_selection.label) ? *m_selection.label : 0;
-    }
-    value = std::isnan(value) ? 0 : value;
-    if (!m_selection.separates_labels) {
-      return value != 0 ? 1 : 0;
-    }
-    if (!(value >= 0) || value > double(std::numeric_limits<std::uint32_t>::max()) || value != std::floor(value)) {
-      internal::fail_in_file(m_file->filename,
-                             "a voxel has the value " + std::to_string(value) +
-                                 ", which is not a label from 0 to 2^32 - 1",
-                             "choose a threshold");
-    }
-    return std::uint32_t(value);
-  });
+  m_file->read_slice({m_selection, m_file->filename}, labels);
 }
 
 Volume read_volume(const std::string& filename, const Voxel_selection& selection)
 {
   Volume_reader reader(filename, selection);
   Volume result{reader.grid(), {}};
-  std::vector<std::uint32_t> slice;
+  std::vector<Voxel_label> slice;
   for (std::size_t z = 0; z < result.grid.size[2]; ++z) {
     reader.read_slice(slice);
     result.labels.insert(result.labels.end(), slice.begin(), slice.end());
@@ -370,27 +399,27 @@ decltype(auto) naming(const std::string& filename, const Work& work)
 }
 
 /// The labels that occur in each slice and not in a later one, in ascending order.
-std::vector<std::vector<std::uint32_t>> labels_of_last_slices(const std::string& filename,
-                                                              const Voxel_selection& selection)
+std::vector<std::vector<Voxel_label>> labels_of_last_slices(const std::string& filename,
+                                                            const Voxel_selection& selection)
 {
   Volume_reader reader(filename, selection);
-  std::unordered_map<std::uint32_t, std::size_t> last_slice;
-  std::vector<std::uint32_t> slice;
+  std::unordered_map<Voxel_label, std::size_t> last_slice;
+  std::vector<Voxel_label> slice;
   for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
     reader.read_slice(slice);
     slice.erase(std::unique(slice.begin(), slice.end()), slice.end());
-    for (const std::uint32_t label : slice) {
+    for (const Voxel_label label : slice) {
       if (label != 0) {
         last_slice[label] = z;
       }
     }
     naming(filename, [&] { Voxel_surface_builder::check_number_of_labels(last_slice.size()); });
   }
-  std::vector<std::vector<std::uint32_t>> result(reader.grid().size[2]);
+  std::vector<std::vector<Voxel_label>> result(reader.grid().size[2]);
   for (const auto& [label, z] : last_slice) {
     result[z].push_back(label);
   }
-  for (std::vector<std::uint32_t>& labels : result) {
+  for (std::vector<Voxel_label>& labels : result) {
     std::sort(labels.begin(), labels.end());
   }
   return result;
@@ -401,24 +430,24 @@ std::vector<std::vector<std::uint32_t>> labels_of_last_slices(const std::string&
 void for_each_voxel_surface(const std::string& filename, const Voxel_selection& selection,
                             const Voxel_surface_settings& settings, const std::function<void(Voxel_surface&&)>& take)
 {
-  std::vector<std::vector<std::uint32_t>> labels_that_end;
+  std::vector<std::vector<Voxel_label>> labels_that_end;
   if (selection.separates_labels) {
     labels_that_end = labels_of_last_slices(filename, selection);
   }
   Volume_reader reader(filename, selection);
   Voxel_surface_builder builder = naming(filename, [&] { return Voxel_surface_builder(reader.grid(), settings); });
-  std::vector<std::uint32_t> slice;
+  std::vector<Voxel_label> slice;
   for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
     reader.read_slice(slice);
     naming(filename, [&] { builder.push_slice(slice.data()); });
     if (z > 0 && !labels_that_end.empty()) {
-      for (const std::uint32_t label : labels_that_end[z - 1]) {
+      for (const Voxel_label label : labels_that_end[z - 1]) {
         take(builder.take_surface(label));
       }
     }
   }
   builder.close();
-  for (const std::uint32_t label : builder.labels()) {
+  for (const Voxel_label label : builder.labels()) {
     take(builder.take_surface(label));
   }
 }
@@ -436,27 +465,28 @@ std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, cons
 
 namespace {
 
-/// Writes the header of NRRD for labels of 32 bits that follow raw.
-void write_nrrd_header(std::ostream& out, const Volume_grid& grid)
+/// Writes the header of NRRD for numbers of this `type` that follow raw.
+void write_nrrd_header(std::ostream& out, const Volume_grid& grid, const char* type)
 {
   const internal::Exact_format format(out);
   const auto vector = [&out](const Vector3& v) -> std::ostream& {
     return out << '(' << v.x() << ',' << v.y() << ',' << v.z() << ')';
   };
-  out << "NRRD0004\ntype: uint32\ndimension: 3\nspace dimension: 3\nsizes: " << grid.size[0] << ' ' << grid.size[1]
-      << ' ' << grid.size[2] << "\nspace directions: ";
+  out << "NRRD0004\ntype: " << type << "\ndimension: 3\nspace dimension: 3\nsizes: " << grid.size[0] << ' '
+      << grid.size[1] << ' ' << grid.size[2] << "\nspace directions: ";
   vector(grid.axes[0]) << ' ';
   vector(grid.axes[1]) << ' ';
   vector(grid.axes[2]) << "\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: ";
   vector(grid.origin) << "\n\n";
 }
 
-void write_nrrd_labels(std::ostream& out, std::vector<std::uint32_t> labels)
+template <class Number>
+void write_nrrd_numbers(std::ostream& out, std::vector<Number> numbers)
 {
-  for (std::uint32_t& label : labels) {
-    boost::endian::native_to_little_inplace(label);
+  for (Number& number : numbers) {
+    boost::endian::native_to_little_inplace(number);
   }
-  out.write(reinterpret_cast<const char*>(labels.data()), std::streamsize(labels.size() * sizeof(std::uint32_t)));
+  out.write(reinterpret_cast<const char*>(numbers.data()), std::streamsize(numbers.size() * sizeof(Number)));
 }
 
 } // namespace
@@ -464,23 +494,24 @@ void write_nrrd_labels(std::ostream& out, std::vector<std::uint32_t> labels)
 void write_nrrd(std::ostream& out, const Volume& volume)
 {
   CGAL_precondition(volume.labels.size() == volume.grid.number_of_voxels());
-  write_nrrd_header(out, volume.grid);
-  write_nrrd_labels(out, volume.labels);
+  write_nrrd_header(out, volume.grid, "uint64");
+  write_nrrd_numbers(out, volume.labels);
 }
 
 void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vector<Voxel_surface>& surfaces,
                        const std::vector<std::vector<std::uint32_t>>& node_of_vertex)
 {
   CGAL_precondition(surfaces.size() == node_of_vertex.size());
-  std::map<std::uint32_t, std::size_t> surface_of_label;
+  std::map<Voxel_label, std::size_t> surface_of_label;
   std::deque<internal::Point_tree> vertices; // of each surface; trees cannot be moved
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     surface_of_label.emplace(surfaces[i].label, i);
     vertices.emplace_back(surfaces[i].triangles.points);
   }
   const Volume_grid& grid = reader.grid();
-  write_nrrd_header(out, grid);
-  std::vector<std::uint32_t> labels;
+  write_nrrd_header(out, grid, "uint32");
+  std::vector<Voxel_label> labels;
+  std::vector<std::uint32_t> nodes(grid.slice_size());
   for (std::size_t z = 0; z < grid.size[2]; ++z) {
     reader.read_slice(labels);
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -488,9 +519,9 @@ void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vect
       const bool has_node = found != surface_of_label.end();
       const std::size_t y = i / grid.size[0];
       const Vector3 point = grid.point({double(i % grid.size[0]), double(y), double(z)});
-      labels[i] = has_node ? node_of_vertex[found->second][vertices[found->second].nearest(point)] : 0;
+      nodes[i] = has_node ? node_of_vertex[found->second][vertices[found->second].nearest(point)] : 0;
     }
-    write_nrrd_labels(out, labels);
+    write_nrrd_numbers(out, nodes);
   }
 }
 

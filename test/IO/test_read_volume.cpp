@@ -77,7 +77,7 @@ void expect_sample(const std::string& filename)
   EXPECT_EQ(volume.grid.axes[0], Vector3(2, 0, 0));
   EXPECT_EQ(volume.grid.axes[1], Vector3(0, 0, 0.5));
   EXPECT_EQ(volume.grid.axes[2], Vector3(0, -1, 0));
-  EXPECT_EQ(volume.labels, std::vector<std::uint32_t>(voxel_values.begin(), voxel_values.end()));
+  EXPECT_EQ(volume.labels, std::vector<CSCD::Voxel_label>(voxel_values.begin(), voxel_values.end()));
 }
 
 TEST(read_volume, reads_the_same_from_all_formats)
@@ -103,10 +103,28 @@ TEST(read_volume, reads_what_is_selected)
 {
   const Temporary_folder folder;
   const std::string file = folder.write("v.nii", nifti(2) + voxel_bytes()); // values are doubled
-  using Labels = std::vector<std::uint32_t>;
+  using Labels = std::vector<CSCD::Voxel_label>;
   EXPECT_EQ(CSCD::read_volume(file).labels, (Labels{0, 1, 1, 1, 1, 1, 0, 0, 1, 1, 0, 1}));
   EXPECT_EQ(CSCD::read_volume(file, {14., std::nullopt, false}).labels, (Labels{0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1}));
   EXPECT_EQ(CSCD::read_volume(file, {std::nullopt, 6U, false}).labels, (Labels{0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(read_volume, tells_labels_of_64_bits_apart)
+{
+  const Temporary_folder folder;
+  const std::vector<std::uint64_t> values{720575940621039145, 720575940621039146, ~std::uint64_t(0), 0};
+  const std::string header = "NRRD0004\ntype: TYPE\ndimension: 3\nsizes: 4 1 1\nendian: little\nencoding: raw\n\n";
+  const auto file = [&](const std::string& type) {
+    std::string text = header;
+    text.replace(text.find("TYPE"), 4, type);
+    return folder.write(type + ".nrrd", text + bytes_of<std::uint64_t>(values, true));
+  };
+  EXPECT_EQ(CSCD::read_volume(file("uint64"), each_label).labels, values);
+  EXPECT_EQ(CSCD::read_volume(file("uint64"), {std::nullopt, values[1], false}).labels,
+            (std::vector<CSCD::Voxel_label>{0, values[1], 0, 0}));
+  // The third is -1: not a label, but part of the body that everything else than 0 forms.
+  EXPECT_THROW(CSCD::read_volume(file("int64"), each_label), CSCD::File_error);
+  EXPECT_EQ(CSCD::read_volume(file("int64")).labels, (std::vector<CSCD::Voxel_label>{1, 1, 1, 0}));
 }
 
 TEST(read_volume, gives_the_same_surfaces_slice_by_slice)

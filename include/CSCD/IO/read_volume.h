@@ -9,7 +9,6 @@
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/internal/config.h>
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,7 +23,7 @@ struct Voxel_selection
   /// Voxels of at least this value are a body of label 1.
   std::optional<double> threshold;
   /// Voxels of this label, which is not 0, are a body of this label.
-  std::optional<std::uint32_t> label;
+  std::optional<Voxel_label> label;
   /// Whether the voxels of each label but 0 are a body of their own; else, without label and threshold, all that are
   /// not 0 are one body of label 1.
   bool separates_labels = false;
@@ -60,12 +59,11 @@ public:
   /// \throw File_error if the data end too early, are damaged, or hold a number that is not a label; a value that is
   ///        not a number belongs to the background
   /// \pre there is a next slice
-  void read_slice(std::vector<std::uint32_t>& labels);
+  void read_slice(std::vector<Voxel_label>& labels);
 
 private:
   std::unique_ptr<internal::Volume_file> m_file;
   Voxel_selection m_selection;
-  std::vector<double> m_values;
 };
 
 /// Whether `filename` has an ending of volumes.

@@ -15,7 +15,7 @@
 
 namespace CSCD {
 
-/// writes `volume` as NRRD, raw, with labels of 32 bits. Linear.
+/// writes `volume` as NRRD, raw, with labels of 64 bits. Linear.
 /// \pre there is a label for each voxel
 void write_nrrd(std::ostream& out, const Volume& volume);
 

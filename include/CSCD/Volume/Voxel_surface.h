@@ -58,13 +58,16 @@ struct Volume_grid
   double signed_voxel_volume() const { return axes[0].dot(axes[1].cross(axes[2])); }
 };
 
+/// What a voxel belongs to: segmentations of large volumes number their bodies by 64 bits.
+using Voxel_label = std::uint64_t;
+
 /// An image in memory.
 struct Volume
 {
   /// Where the voxels are.
   Volume_grid grid;
   /// The label of each voxel; 0 for the background.
-  std::vector<std::uint32_t> labels;
+  std::vector<Voxel_label> labels;
 };
 
 /// Which voxels of a body belong together; voxels of the background are joined by the other rule, so that every closed
@@ -89,7 +92,7 @@ struct Voxel_surface_settings
 struct Voxel_surface
 {
   /// The label.
-  std::uint32_t label = 0;
+  Voxel_label label = 0;
   /// Oriented outwards, in space.
   Indexed_triangles triangles;
   /// The number of voxels with the label.
@@ -322,7 +325,7 @@ public:
   /// \param labels of its `slice_size()` voxels; 0 for the background
   /// \throw Input_error if there are too many labels, or too many triangles around one of them
   /// \pre there are not as many yet as the volume has
-  void push_slice(const std::uint32_t* labels)
+  void push_slice(const Voxel_label* labels)
   {
     CGAL_precondition(m_number_of_slices < m_grid.size[2]);
     number_bodies(labels);
@@ -339,9 +342,9 @@ public:
   }
 
   /// The labels whose surfaces have not been taken, in ascending order.
-  std::vector<std::uint32_t> labels() const
+  std::vector<Voxel_label> labels() const
   {
-    std::vector<std::uint32_t> result;
+    std::vector<Voxel_label> result;
     for (const Shape& shape : m_shapes) {
       if (!shape.triangles.faces.empty()) {
         result.push_back(shape.label);
@@ -354,7 +357,7 @@ public:
   /// The surface of `label`, which leaves the memory of the builder. Linear.
   /// \pre a slice without `label` has been pushed after its last slice, or the surfaces have been closed; it is one of
   ///      `labels()`
-  Voxel_surface take_surface(std::uint32_t label)
+  Voxel_surface take_surface(Voxel_label label)
   {
     Shape& shape = m_shapes[m_body_of_label.at(label) - 1];
     CGAL_precondition(!shape.triangles.faces.empty());
@@ -377,7 +380,7 @@ private:
   };
   struct Shape
   {
-    std::uint32_t label = 0;
+    Voxel_label label = 0;
     std::size_t number_of_voxels = 0;
     Indexed_triangles triangles; ///< in indices of corners: those of voxels less a half
   };
@@ -386,7 +389,7 @@ private:
   using Place = std::array<std::size_t, 3>;
 
   /// The number of the body with `label`, counted from 1.
-  Index body_of(std::uint32_t label)
+  Index body_of(Voxel_label label)
   {
     const auto [entry, is_new] = m_body_of_label.emplace(label, Index(m_shapes.size() + 1));
     if (is_new) {
@@ -398,14 +401,14 @@ private:
   }
 
   /// Writes the bodies of the voxels to the upper slice, and counts their voxels.
-  void number_bodies(const std::uint32_t* labels)
+  void number_bodies(const Voxel_label* labels)
   {
     for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
       auto body = m_upper_slice.begin() + std::ptrdiff_t((y + 1) * m_row + 1);
-      const std::uint32_t* const end = labels + m_grid.size[0];
+      const Voxel_label* const end = labels + m_grid.size[0];
       while (labels != end) {
-        const std::uint32_t* const first = labels;
-        labels = std::find_if(first, end, [first](std::uint32_t label) { return label != *first; });
+        const Voxel_label* const first = labels;
+        labels = std::find_if(first, end, [first](Voxel_label label) { return label != *first; });
         const Index its_body = *first != 0 ? body_of(*first) : 0;
         if (its_body != 0) {
           m_shapes[its_body - 1].number_of_voxels += std::size_t(labels - first);
@@ -656,7 +659,7 @@ private:
   Corner_plane m_upper_corners;              ///< between the slices
   std::map<Edge_copy, Index> m_open_middles; ///< of edges with one of two faces made
   std::vector<Shape> m_shapes;               ///< of the bodies, in the order of their numbers
-  std::unordered_map<std::uint32_t, Index> m_body_of_label;
+  std::unordered_map<Voxel_label, Index> m_body_of_label;
   std::vector<Index> m_polygon;
 };
 
@@ -675,7 +678,7 @@ inline std::vector<Voxel_surface> make_voxel_surfaces(const Volume& volume, cons
   }
   builder.close();
   std::vector<Voxel_surface> result;
-  for (const std::uint32_t label : builder.labels()) {
+  for (const Voxel_label label : builder.labels()) {
     result.push_back(builder.take_surface(label));
   }
   return result;
