@@ -6,6 +6,7 @@
 #include "support/convert_shape.h"
 #include "support/implicit_surface.h"
 #include "support/shapes.h"
+#include "support/sheet_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Skeletonization_visitor.h>
@@ -73,6 +74,16 @@ TEST_F(Curve_skeletonization, of_a_mesh_makes_its_traits)
   Skeleton skeleton;
   moved.run(skeleton);
   expect_equal(skeleton, whole);
+}
+
+TEST(Curve_skeletonization_of_a_sheet, equals_the_free_function)
+{
+  const Mesh sheet = CSCD::test::to_mesh<Mesh>(CSCD::test::strip_sheet(8, 2).shape);
+  Skeleton skeleton;
+  EXPECT_EQ(1U, CSCD::Curve_skeletonization(sheet).run(skeleton).number_of_sheets);
+  Skeleton free_function;
+  CSCD::extract_curve_skeleton(sheet, free_function);
+  expect_equal(skeleton, free_function);
 }
 
 TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)

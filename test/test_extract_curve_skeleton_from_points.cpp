@@ -161,6 +161,24 @@ TEST_P(Sampled_shape, handles_duplicates_and_outliers)
   EXPECT_LE(10u, outcome.report.reconstruction->number_of_unused_points);
 }
 
+TEST_P(Sampled_shape, handles_stray_points_around_it)
+{
+  std::vector<Triple> points = sampled(m_shape, number, 1);
+  const Outcome clean = skeletonize(points);
+  const Triple center = points.front();
+  std::mt19937_64 random(1);
+  for (std::size_t i = 0; i < number / 50; ++i) {
+    Triple& point = points.emplace_back(center);
+    for (double& coordinate : point) {
+      coordinate += 0.5 * diagonal(m_shape) * CSCD::test::random_signed_unit(random);
+    }
+  }
+  const Outcome outcome = skeletonize(points);
+  expect_topology(m_shape, outcome);
+  EXPECT_EQ(clean.report.number_of_tips, outcome.report.number_of_tips);
+  EXPECT_EQ(0u, outcome.report.number_of_edges_outside);
+}
+
 TEST_P(Sampled_shape, has_nearly_the_skeleton_of_the_mesh)
 {
   if (m_shape.name == CSCD::test::sphere(4).name) {

@@ -103,22 +103,38 @@ TEST(consolidate_points, averages_noise_away)
 
 TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
 {
-  constexpr std::size_t number = 20000;
-  std::vector<Vector3> points = torus_points(number, 0);
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> wide(-4, 4);
-  std::uniform_real_distribution<double> high(-1, 1);
-  while (points.size() < number + number / 5) {
-    points.emplace_back(wide(random), wide(random), high(random));
+  for (const auto& [number, number_of_strays] :
+       {std::pair(20000, 4000), std::pair(20000, 200), std::pair(80000, 400)}) {
+    SCOPED_TRACE(number_of_strays);
+    std::vector<Vector3> points = torus_points(std::size_t(number), 0);
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> wide(-4, 4);
+    std::uniform_real_distribution<double> high(-1, 1);
+    for (int i = 0; i < number_of_strays; ++i) {
+      points.emplace_back(wide(random), wide(random), high(random));
+    }
+    const Consolidated_cloud result = consolidated(points);
+    // Points near the torus cannot be distinguished from it.
+    const Point_cloud& cloud = result.cloud;
+    for (const Vector3& point : cloud.points) {
+      EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));
+    }
+    EXPECT_LT(number_of_strays / 2, int(result.number_of_outliers));
+    EXPECT_GT(number_of_strays, int(result.number_of_outliers));
   }
-  const Consolidated_cloud result = consolidated(points);
-  // Points near the torus cannot be distinguished from it.
-  const Point_cloud& cloud = result.cloud;
-  for (const Vector3& point : cloud.points) {
-    EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));
+}
+
+TEST(consolidate_points, keeps_the_sparse_part_of_a_surface)
+{
+  std::vector<Vector3> points = torus_points(40000, 0);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].x() > 0 || i % 16 == 0) {
+      points[kept++] = points[i];
+    }
   }
-  EXPECT_LT(number / 10, result.number_of_outliers);
-  EXPECT_GT(number / 5, result.number_of_outliers);
+  points.resize(kept);
+  EXPECT_EQ(0U, consolidated(points).number_of_outliers);
 }
 
 TEST(is_scan_of_trees, tells_rods_from_a_torus)

@@ -110,10 +110,15 @@ private:
   /// How far the neighborhood of an outlier reaches, relative to those of its neighbors.
   static constexpr double outlier_reach = 4;
   /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: points that are
-  /// spread evenly in a box have about 0.25, sparse parts of a surface 0.05.
+  /// spread evenly in a box have about 0.25.
   static constexpr double deviation_in_space = 0.12;
-  /// The part of the points that must be lonely for that: of normally distributed noise a hundredth is.
-  static constexpr double least_part_in_space = 0.02;
+  /// That of half of the lonely points, at least, if they are outliers: half a hundredth of stray points around a
+  /// surface has 0.1, sparse parts of a surface at most 0.07.
+  static constexpr double outlier_deviation = 0.08;
+  /// It exceeds that of all other points by this factor; where all are noisy, it is less.
+  static constexpr double outlier_excess = 3;
+  /// Of a large cloud, all lonely points are sought if more than this part of some points is lonely.
+  static constexpr double part_of_few = 0.002;
   /// The points among which the neighbors of lonely points are sought, about.
   static constexpr std::size_t sample_around_outliers = 50000;
   /// How near to each other averaged points may be, relative to the radius.
@@ -185,7 +190,7 @@ private:
       return lonely;
     };
     std::vector<Index> result = lonely_of(places);
-    const bool are_few = double(result.size()) <= least_part_in_space * double(places.size());
+    const bool are_few = double(result.size()) <= part_of_few * double(places.size());
     if (!result.empty() && (!are_few || m_cloud.points.size() <= sample_around_outliers)) {
       std::vector<Index> all(m_cloud.points.size());
       std::iota(all.begin(), all.end(), Index(0));
@@ -215,14 +220,21 @@ private:
       }
     }
     const Neighbor_table neighbors(points, quadric_neighbors);
-    std::vector<double> deviations;
-    for (Index i = 0; i < lonely.size(); ++i) {
-      const double reach = neighbors.reach(i);
-      deviations.push_back(fit_quadric(points, i, neighbors.neighbors(i), reach).deviation / reach);
-    }
+    const auto median_deviation = [&](Index begin, Index end) {
+      std::vector<double> deviations;
+      const Index step = std::max<Index>(1, (end - begin) / Index(number_of_probes));
+      for (Index i = begin; i < end; i += step) {
+        const double reach = neighbors.reach(i);
+        const double deviation = fit_quadric(points, i, neighbors.neighbors(i), reach).deviation;
+        deviations.push_back(reach > 0 ? deviation / reach : 0);
+      }
+      return quantile(std::move(deviations), 0.5);
+    };
+    const auto number_of_lonely = Index(lonely.size());
+    const double deviation = median_deviation(0, number_of_lonely);
     m_is_space_filled =
-        m_is_space_filled || (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
-                              quantile(deviations, 0.5) > deviation_in_space);
+        m_is_space_filled || (deviation > outlier_deviation &&
+                              deviation > outlier_excess * median_deviation(number_of_lonely, Index(points.size())));
     if (m_is_space_filled) {
       return lonely;
     }

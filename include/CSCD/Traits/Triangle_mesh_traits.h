@@ -44,7 +44,8 @@ public:
   /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are not triangles, edges
   ///        or vertices where it is not an oriented manifold, coordinates that are not finite, or no extent or area
   explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map,
-                                Border_treatment treatment = Border_treatment::automatic, unsigned number_of_threads = 1)
+                                Border_treatment treatment = Border_treatment::automatic,
+                                unsigned number_of_threads = 1)
   {
     auto arrays = internal::read_mesh(mesh, point_map);
     this->m_surface.emplace(std::move(arrays.points), std::move(arrays.faces), treatment, number_of_threads);
@@ -54,7 +55,8 @@ public:
   /// points, as in a `CGAL::Surface_mesh`. This takes less than half of the memory. Otherwise as above.
   /// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
   explicit Triangle_mesh_traits(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                                Border_treatment treatment = Border_treatment::automatic, unsigned number_of_threads = 1)
+                                Border_treatment treatment = Border_treatment::automatic,
+                                unsigned number_of_threads = 1)
   {
     this->m_surface.emplace(std::move(triangles), std::move(pairing), treatment, number_of_threads);
     this->describe_solid([](Index number) { return typename Triangle_mesh_traits::Input_descriptor(number); });
