@@ -74,6 +74,10 @@ public:
       : m_surface(surface), m_corners(surface), m_words(homology_words(surface)), m_front(surface.number_of_vertices()),
         m_paths(surface.number_of_vertices())
   {
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      m_mean_length += (surface.point(surface.target(h)) - surface.point(surface.origin(h))).norm();
+    }
+    m_mean_length /= double(surface.number_of_halfedges());
   }
 
   /// The loops, the shortest first.
@@ -158,15 +162,14 @@ private:
     for (const Corner& corner : m_corners.neighbors(vertex)) {
       sum += double(corner.length);
     }
-    const double mean = m_corners.mean_length();
-    return std::clamp(sum / m_surface.degree(vertex), edge_range[0] * mean, edge_range[1] * mean);
+    return std::clamp(sum / m_surface.degree(vertex), edge_range[0] * m_mean_length, edge_range[1] * m_mean_length);
   }
 
   /// Takes the shortest loop through `center` of each homology class.
   void search_around(Index center)
   {
     const auto max_length = float(longest_loop * edge_length_at(center));
-    const auto longest = m_is_in_fold[center] != 0 ? float(longest_loop_in_fold * m_corners.mean_length()) : max_length;
+    const auto longest = m_is_in_fold[center] != 0 ? float(longest_loop_in_fold * m_mean_length) : max_length;
     // The loops through a vertex reach half their length from it, and an edge may be as long as its loop allows.
     spread_from(center, longest / 2);
     find_closing_edges(longest);
@@ -288,6 +291,7 @@ private:
 
   const Triangulated_surface& m_surface;
   Vertex_fan_table m_corners;
+  double m_mean_length = 0;           ///< of the edges
   std::vector<std::uint64_t> m_words; ///< of the edges
   Dijkstra_search m_front;
   std::vector<Path> m_paths; ///< of reached vertices

@@ -61,6 +61,13 @@ using Point_cut_locus_graph =
 
 namespace CSCD::internal {
 
+/// A point of a face: the sum of its corners, the origins of its halfedges in order, by barycentric weights.
+struct Face_point
+{
+  Index face = no_index;
+  std::array<double, 3> weights{};
+};
+
 /// A cut locus in the coordinates of the surface. \tparam Location where on the surface a vertex is
 template <class Location>
 struct Extracted_cut_locus

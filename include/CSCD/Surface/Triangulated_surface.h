@@ -8,7 +8,6 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/input_concepts.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
@@ -36,29 +35,6 @@ struct Edge_crossing
 
 /// The vertices of a simple closed curve along edges, in order; the last one and the first are neighbors.
 using Vertex_loop = std::vector<Index>;
-
-/// Whether `face` only bridges a border, and is not part of the surface; false for all faces of a triangulation without
-/// a member `is_hole_filling(f)`.
-template <class Triangulation>
-bool is_hole_filling_face([[maybe_unused]] const Triangulation& triangulation, [[maybe_unused]] Index face)
-{
-  if constexpr (CSCD_IS_VALID(const Triangulation&, t.is_hole_filling(Index()))) {
-    return triangulation.is_hole_filling(face);
-  } else {
-    return false;
-  }
-}
-
-namespace internal {
-
-/// A point of a face: the sum of its corners, the origins of its halfedges in order, by barycentric weights.
-struct Face_point
-{
-  Index face = no_index;
-  std::array<double, 3> weights{};
-};
-
-} // namespace internal
 
 /// A point of a surface.
 struct Surface_point
@@ -269,13 +245,11 @@ public:
     const Index n = surface.number_of_vertices();
     m_begin.resize(std::size_t(n) + 1);
     m_corners.reserve(std::size_t(surface.number_of_halfedges()) + n);
-    double length_sum = 0;
     for (Index vertex = 0; vertex < n; ++vertex) {
       m_begin[vertex] = Index(m_corners.size());
-      append_fan(surface, vertex, length_sum);
+      append_fan(surface, vertex);
     }
     m_begin[n] = Index(m_corners.size());
-    m_mean_length = length_sum / double(surface.number_of_halfedges());
   }
 
   /// The corners of `vertex` in counterclockwise order; the first one stands again at the end, so that corner `i + 1`
@@ -302,14 +276,8 @@ public:
 #endif
   }
 
-  /// The mean length of the edges.
-  double mean_length() const
-  {
-    return m_mean_length;
-  }
-
 private:
-  void append_fan(const Triangulated_surface& surface, Index vertex, double& length_sum)
+  void append_fan(const Triangulated_surface& surface, Index vertex)
   {
     const Vector3& center = surface.point(vertex);
     for (Index halfedge : surface.outgoing(vertex)) {
@@ -322,14 +290,12 @@ private:
       const double cosine = product > 0 ? incident_edge.dot(next_incident_edge) / product : 1.;
       const double sine = product > 0 ? incident_edge.cross(next_incident_edge).norm() / product : 0.;
       m_corners.push_back({neighbor, float(length), float(cosine), float(sine)});
-      length_sum += length;
     }
     m_corners.push_back(m_corners[m_begin[vertex]]);
   }
 
   std::vector<Corner> m_corners;
   std::vector<Index> m_begin;
-  double m_mean_length = 0;
 };
 
 } // namespace CSCD
