@@ -53,8 +53,8 @@ inline Skeletonized_surface make_skeletonized_surface(Assigned_surface&& assigne
   for (const Index number : result.number) {
     result.node.push_back(assigned.node_of_vertex[number]);
     if (result.node.back() == no_index) {
-      throw Input_error("vertex " + std::to_string(result.node.size() - 1) +
-                        " of those with a face belongs to no node: use the skeleton of this mesh");
+      throw Input_error("vertex " + std::to_string(number) +
+                        " has a face and belongs to no node: use the skeleton of this mesh");
     }
   }
   return result;

@@ -64,7 +64,7 @@ inline double max_convergence(const Gradient_samples& samples)
 /// Decides which vertices are points of the cut locus, however derivatives are computed.
 /// \tparam FramesType of the vertices, `Tangent_frames` or `Point_frames`
 /// \tparam Derived has the members `laplacian(vertex)`, `gradient(vertex)` and
-///         `collect_samples(vertex, samples)`, which collects what has a gradient around a vertex, counterclockwise
+///         `collect_samples(vertex, samples)`, which collects the gradients around a vertex, counterclockwise
 template <class Derived, class FramesType>
 class Cut_point_test
 {
