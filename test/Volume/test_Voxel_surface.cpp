@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -38,7 +37,7 @@ Volume make_volume(const std::array<std::size_t, 3>& size, const Label& label)
   for (std::size_t z = 0; z < size[2]; ++z) {
     for (std::size_t y = 0; y < size[1]; ++y) {
       for (std::size_t x = 0; x < size[0]; ++x) {
-        volume.labels.push_back(std::uint32_t(label(int(x), int(y), int(z))));
+        volume.labels.push_back(CSCD::Voxel_label(label(int(x), int(y), int(z))));
       }
     }
   }
@@ -47,7 +46,7 @@ Volume make_volume(const std::array<std::size_t, 3>& size, const Label& label)
 
 /// The Euler number of the voxels of a label: of the union of the closed voxels if they are joined through corners, of
 /// its interior otherwise. A cell has even coordinates 2 i along the axes where its extent is zero.
-int euler_number_of_voxels(const Volume& volume, std::uint32_t label, Voxel_connectivity connectivity)
+int euler_number_of_voxels(const Volume& volume, CSCD::Voxel_label label, Voxel_connectivity connectivity)
 {
   const std::array<int, 3> size{int(volume.grid.size[0]), int(volume.grid.size[1]), int(volume.grid.size[2])};
   const auto has_label = [&](const std::array<int, 3>& voxel) {
