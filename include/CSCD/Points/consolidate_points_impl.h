@@ -117,6 +117,8 @@ private:
   static constexpr double outlier_deviation = 0.08;
   /// It exceeds that of all other points by this factor; where all are noisy, it is less.
   static constexpr double outlier_excess = 3;
+  /// Fewer lonely points do not show whether they fill space.
+  static constexpr std::size_t least_number_of_outliers = 5;
   /// Of a large cloud, all lonely points are sought if more than this part of some points is lonely.
   static constexpr double part_of_few = 0.002;
   /// The points among which the neighbors of lonely points are sought, about.
@@ -233,7 +235,7 @@ private:
     const auto number_of_lonely = Index(lonely.size());
     const double deviation = median_deviation(0, number_of_lonely);
     m_is_space_filled =
-        m_is_space_filled || (deviation > outlier_deviation &&
+        m_is_space_filled || (lonely.size() >= least_number_of_outliers && deviation > outlier_deviation &&
                               deviation > outlier_excess * median_deviation(number_of_lonely, Index(points.size())));
     if (m_is_space_filled) {
       return lonely;
