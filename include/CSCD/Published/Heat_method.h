@@ -33,7 +33,15 @@ namespace CSCD::internal {
 
 /// One number of each of so many problems that are solved together.
 template <std::size_t lanes>
-using Lanes = Eigen::Array<double, int(lanes), 1>;
+struct Lanes : Eigen::Array<double, int(lanes), 1>
+{
+  using Array = Eigen::Array<double, int(lanes), 1>;
+  using Array::Array;
+  using Array::operator=;
+
+  double& operator[](std::size_t lane) { return this->coeffRef(Eigen::Index(lane)); }
+  double operator[](std::size_t lane) const { return this->coeff(Eigen::Index(lane)); }
+};
 
 /// One row for each vertex; none is in two cache lines, which 8 lanes fill.
 template <std::size_t lanes>
