@@ -8,6 +8,7 @@
 
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Tangent_frames.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 
 #include <CGAL/assertions.h>
@@ -161,7 +162,7 @@ public:
       return 0;
     }
     const double here = distance(triangulation.origin(halfedge));
-    const Index last = triangulation.previous(halfedge);
+    const Index last = Triangle_halfedges::previous(halfedge);
     const double along = (distance(triangulation.target(halfedge)) - here) / corner.length;
     const double along_last = (distance(triangulation.origin(last)) - here) / frames().corner(last).length;
     const Complex gradient(along, (along_last - along * corner.cosine) / corner.sine);
@@ -194,8 +195,8 @@ public:
     const Intrinsic_triangulation& triangulation = frames().triangulation();
     double sum = 0;
     frames().for_each_outgoing(vertex, [&](Index h) {
-      const Index next = triangulation.next(h);
-      const Index last = triangulation.previous(h);
+      const Index next = Triangle_halfedges::next(h);
+      const Index last = Triangle_halfedges::previous(h);
       sum += cotangent(last) * (distance(triangulation.origin(next)) - distance(vertex)) / 2 +
              cotangent(next) * (distance(triangulation.origin(last)) - distance(vertex)) / 2;
     });

@@ -195,6 +195,7 @@ public:
   std::vector<Edge_crossing> trace(Index halfedge) const
   {
     std::vector<Edge_crossing> crossings;
+    crossings.reserve(std::size_t(std::max(m_halfedges[halfedge].coordinate, 0)));
     for (Normal_coordinate i = 0; i < m_halfedges[halfedge].coordinate; ++i) {
       crossings.push_back({m_input->twin[left_input_halfedge(halfedge, i)], 0.5});
     }

@@ -100,7 +100,7 @@ public:
     Index last = no_index;
     for_each_outgoing(vertex, [&](Index halfedge) {
       function(m_triangulation.target(halfedge), halfedge);
-      last = m_triangulation.previous(halfedge);
+      last = Triangle_halfedges::previous(halfedge);
     });
     if (last != no_index && m_triangulation.twin(last) == no_index) {
       function(m_triangulation.origin(last), last);
@@ -116,7 +116,7 @@ public:
     if (twin != no_index) {
       return m_direction[twin];
     }
-    const Index next = m_triangulation.next(halfedge);
+    const Index next = Triangle_halfedges::next(halfedge);
     return m_direction[next] + m_scale[m_triangulation.origin(next)] * angle(next);
   }
 
@@ -147,8 +147,8 @@ private:
     // Faces of less height than this, relative to their longest side, have no direction that can be trusted.
     constexpr double min_height = 1e-8;
     const double a = m_corners[h].length;
-    const double b = m_triangulation.length(m_triangulation.next(h));
-    const double c = m_triangulation.length(m_triangulation.previous(h));
+    const double b = m_triangulation.length(Triangle_halfedges::next(h));
+    const double c = m_triangulation.length(Triangle_halfedges::previous(h));
     const double area = Flat_triangle{a, b, c}.area();
     const double longest = std::max({a, b, c});
     if (!(2 * area > min_height * longest * longest)) {
