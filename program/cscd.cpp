@@ -80,7 +80,7 @@ std::vector<Command> make_commands()
       make_command(
           "simplify", "prune, join or resample parts of a skeleton",
           R"(  cscd simplify bunny.json -o less.json --min-significance 1     without limbs that hardly stand out
-  cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing-over-radius 0.5
+  cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing 0.5r
 )",
           cscd::simplify),
       make_command("segment", "segment a mesh into the parts that people would see",
@@ -128,7 +128,18 @@ private:
 /// Behind the version of a program that has no more than the local method.
 constexpr const char* local_method_only = " without the published method, graphs and wraps";
 
-void add_option(CLI::App& command, const cscd::Option& option)
+/// Sets the value of `option`. An r behind a spacing means radii: `rows` may have an option of its own for such
+/// lengths.
+void assign(const cscd::Option& option, const std::vector<cscd::Option>& rows, const std::string& text)
+{
+  const auto relative =
+      std::find_if(rows.begin(), rows.end(), [](const cscd::Option& row) { return row.name == "spacing-over-radius"; });
+  const bool is_relative = option.name == "spacing" && text.size() > 1 && text.back() == 'r';
+  cscd::assign(is_relative && relative != rows.end() ? *relative : option,
+               is_relative ? text.substr(0, text.size() - 1) : text);
+}
+
+void add_option(CLI::App& command, const cscd::Option& option, const std::vector<cscd::Option>& rows)
 {
   const bool is_positional = std::isupper(static_cast<unsigned char>(option.name.front())) != 0;
   const std::string letter = option.letter != 0 ? std::string("-") + option.letter + "," : "";
@@ -140,9 +151,9 @@ void add_option(CLI::App& command, const cscd::Option& option)
         ->group(option.group);
     return;
   }
-  const CLI::callback_t set = [option](const CLI::results_t& texts) {
+  const CLI::callback_t set = [option, rows](const CLI::results_t& texts) {
     for (const std::string& text : texts) {
-      cscd::assign(option, text);
+      assign(option, rows, text);
     }
     return true;
   };
@@ -166,7 +177,7 @@ void add_command(CLI::App& app, const Command& command)
   added->formatter(std::make_shared<Examples_first>(command.examples));
   added->get_help_ptr()->group(""); // readers of the help know this option
   for (const cscd::Option& option : command.options) {
-    add_option(*added, option);
+    add_option(*added, option, command.options);
   }
 }
 

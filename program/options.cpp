@@ -302,7 +302,7 @@ std::vector<Option> options_of(Simplify_options& o)
        Option{"min-length", &o.steps.min_length, "L", "prune limbs shorter than this"}.at_least(0),
        Option{"min-length-over-radius", &o.steps.min_length_over_radius, "X", "prune limbs shorter than so many radii"}
            .at_least(0),
-       Option{"spacing", &o.steps.spacing, "D", "distance of nodes along branches"}.at_least(0),
+       Option{"spacing", &o.steps.spacing, "D", "distance of nodes along branches; Xr means X local radii"}.at_least(0),
        Option{"spacing-over-radius", &o.steps.spacing_over_radius, "X", "the same in local radii"}.at_least(0)});
   append(table, skeleton_group, fragment_options(o.steps, "nodes"));
   append(table, skeleton_group, {root_option(o.root)});

@@ -554,7 +554,7 @@ TEST_F(Cscd, simplifies_skeletons)
   EXPECT_EQ(2, tips_after("--min-length-over-radius 5"));
   EXPECT_EQ(3, tips_after("--min-significance 1 --join")); // the tip of 6 is joined to the node apart
   EXPECT_EQ(1u, json("t.json").at("joined_edges").size());
-  EXPECT_EQ(4, tips_after("--min-component 2 --spacing-over-radius 0.5"));
+  EXPECT_EQ(4, tips_after("--min-component 2 --spacing 0.5r"));
   EXPECT_LT(50u, json("t.json").at("nodes").size());
   EXPECT_EQ(4, tips_after("--spacing 2"));
 
@@ -579,6 +579,7 @@ TEST_F(Cscd, leaves_nodes_out_at_a_spacing)
     run_well("skeletonize torus.off -o torus.json " + arguments);
     return json("torus.json").at("nodes").size();
   };
+  EXPECT_EQ(number_of_nodes("--spacing 2"), number_of_nodes("--spacing 2r"));
   EXPECT_LT(number_of_nodes("--spacing 2"), number_of_nodes(""));
 }
 
