@@ -164,8 +164,9 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
 {
   const Temporary_folder root;
   std::filesystem::create_directories(root.path() / "slice/job");
+  std::size_t swap = 0;
   const auto left = [&](const char* group) {
-    return cscd::memory_left_in_groups((root.path() / group).string(), root.path().string());
+    return cscd::memory_left_in_groups((root.path() / group).string(), root.path().string(), swap);
   };
   EXPECT_EQ(left("slice/job"), unbounded);
   root.write("slice/job/memory.max", "max\n");
@@ -180,6 +181,12 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
   root.write("memory.current", "150\n");
   EXPECT_EQ(left("slice/job"), 0U);
   EXPECT_EQ(left("none/such"), 0U);
+  root.write("memory.max", "max\n");
+  swap = 1000;
+  EXPECT_EQ(left("slice/job"), 1550U);
+  root.write("slice/memory.swap.max", "200\n");
+  root.write("slice/memory.swap.current", "150\n");
+  EXPECT_EQ(left("slice/job"), 600U);
 }
 
 } // namespace
