@@ -13,7 +13,7 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 number=${1:-10000}
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
-install_packages parallel slurmctld slurmd slurm-client munge util-linux
+install_packages parallel python3-distributed python3-numpy slurmctld slurmd slurm-client munge util-linux
 export PATH=$source_dir/build/bin:$PATH
 cluster=$source_dir/examples/cluster
 work=$(mktemp -d)
@@ -36,11 +36,17 @@ cd "$work"
 /usr/bin/python3 "$source_dir/test/cluster/write_shapes.py" shapes "$number"
 find shapes -name '*.off' | sort >list
 
-# run_and_kill <folder> <command>... runs the command, and kills the first worker that writes to the folder when some
-# results exist.
+# run_and_kill <folder> <option of pgrep>... -- <command>... runs the command, and kills the first process that pgrep
+# finds, a worker, when some results exist. CHILD among its options stands for the process of the command.
 run_and_kill()
 {
   local folder=$1 begin=$SECONDS
+  local -a victim=()
+  shift
+  while [[ $1 != -- ]]; do
+    victim+=("$1")
+    shift
+  done
   shift
   "$@" >"$folder.log" 2>&1 &
   local pid=$!
@@ -48,7 +54,7 @@ run_and_kill()
     sleep 0.1
   done
   local killed
-  killed=$(pgrep --full "cscd-batch .*--output-dir $work/$folder " | head -n 1)
+  killed=$(pgrep "${victim[@]/#CHILD/$pid}" | head -n 1)
   kill -KILL "$killed"
   if ! wait "$pid"; then
     cat "$folder.log"
@@ -82,8 +88,12 @@ run_parallel()
   seq 1 8 | parallel --jobs 2 --retries 3 \
     cscd-batch --list list --output-dir "$work/parallel" --part '{}/8' --jobs 1 --resume "${options[@]}"
 }
-run_and_kill parallel run_parallel
+run_and_kill parallel --full "cscd-batch .*--output-dir $work/parallel " -- run_parallel
 expect_same parallel
+
+run_and_kill dask --parent CHILD --full spawn_main -- \
+  /usr/bin/python3 "$cluster/dask_batch.py" list dask --parts 8 --workers 2 "${options[@]}"
+expect_same dask
 
 # shellcheck source=test/cluster/start_slurm.sh
 source "$source_dir/test/cluster/start_slurm.sh"
@@ -92,5 +102,5 @@ run_slurm()
   sbatch --wait --array=1-8 --output slurm_task.log "$cluster/slurm_array.sh" list "$work/slurm" "${options[@]}" ||
     [[ $? == 2 ]] # the greatest status of the tasks; one task has broken shapes
 }
-run_and_kill slurm run_slurm
+run_and_kill slurm --full "cscd-batch .*--output-dir $work/slurm " -- run_slurm
 expect_same slurm
