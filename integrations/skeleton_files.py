@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Skeletonizes files by the program cscd."""
+"""Skeletonizes files by the Python module cscd or, where it cannot be imported, by the program cscd."""
 
 import os
 import pathlib
@@ -21,16 +21,33 @@ def find_program(program=""):
     return found
 
 
-def skeletonize_file(source, output, program="", **options):
-    """Writes the skeleton of the file `source` to the file `output`, in the format of its ending.
+def skeletonize_file(source, outputs, program="", **options):
+    """Writes the skeleton of the file `source` to the files `outputs`, in the formats of their endings.
 
-    program: the file of the program, see find_program()
+    program: the file of the program; if empty, the module is tried first
     options: of `cscd skeletonize`, such as detail=0.5
     Raises SkeletonError.
     """
-    arguments = [find_program(program), "skeletonize", str(source), "--quiet", "-o", str(output)]
+    cscd = None
+    if not program:
+        try:
+            import cscd
+        except ImportError:
+            pass  # then the program does it
+    if cscd:
+        try:
+            shape = cscd.read(source)
+            skeleton = cscd.skeletonize(shape.vertices, shape.faces, **options)
+            for output in outputs:
+                skeleton.save(output)
+        except (ValueError, cscd.FileError) as error:
+            raise SkeletonError(str(error)) from error
+        return
+    arguments = [find_program(program), "skeletonize", str(source), "--quiet"]
+    for output in outputs:
+        arguments += ["-o", str(output)]
     for name, value in options.items():
-        arguments += ["--" + name, str(value)]
+        arguments += ["--" + name.replace("_", "-"), str(value)]
     run = subprocess.run(arguments, capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise SkeletonError(run.stderr.strip() or f"cscd: ended with status {run.returncode}; try another mesh")

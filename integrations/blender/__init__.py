@@ -38,7 +38,7 @@ def skeletonize_object(source, ending, options):
         write_off(source.data, mesh)
         addon = bpy.context.preferences.addons.get(__package__)
         program = bpy.path.abspath(addon.preferences.program) if addon else ""
-        skeletonize_file(mesh, skeleton, program, **options)
+        skeletonize_file(mesh, [skeleton], program, **options)
         return skeleton.read_bytes()
 
 
@@ -211,7 +211,7 @@ class VIEW3D_PT_cscd(bpy.types.Panel):
 class CscdPreferences(bpy.types.AddonPreferences):
     bl_idname = __package__
     program: bpy.props.StringProperty(
-        name="Program cscd", description="Empty: the one next to the add-on, or on the path", subtype="FILE_PATH"
+        name="Program cscd", description="Empty: the Python module, or the program on the path", subtype="FILE_PATH"
     )
 
     def draw(self, _context):

@@ -97,7 +97,7 @@ class CscdSkeleton(VTKPythonAlgorithmBase):
             writer.SetInputData(to_triangles(vtkPolyData.GetData(inputs[0])))
             writer.SetCompressorTypeToNone()
             writer.Write()
-            skeletonize_file(surface, result, detail=self._detail, seed=self._seed)
+            skeletonize_file(surface, [result], detail=self._detail, seed=self._seed)
             reader = vtkXMLPolyDataReader()
             reader.SetFileName(result)
             reader.Update()
