@@ -27,9 +27,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <locale>
+#include <numeric>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -227,15 +229,28 @@ Input read_for_surface(const Skeletonize_options& options)
   }
 }
 
-/// A line on the terminal that is written over, and removed by the destructor.
-class Progress_line
+/// A bar on the terminal that fills while a skeletonization runs, and is removed by the destructor.
+class Progress_bar
 {
 public:
-  Progress_line() = default;
-  Progress_line(const Progress_line&) = delete;
-  Progress_line& operator=(const Progress_line&) = delete;
-  ~Progress_line() { show(""); }
+  Progress_bar() = default;
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+  ~Progress_bar() { show(""); }
 
+  void show(CSCD::Skeletonization_stage stage, double fraction)
+  {
+    // The parts of the running time that the stages take on a mesh of 50,000 vertices, roughly.
+    constexpr std::array<double, CSCD::number_of_skeletonization_stages> share{0.2, 0.6, 0.1, 0.1};
+    constexpr std::size_t width = 30; // characters
+    const auto index = std::size_t(stage);
+    const double done = std::accumulate(share.begin(), share.begin() + std::ptrdiff_t(index), share[index] * fraction);
+    const auto filled = std::size_t(double(width) * done);
+    show("[" + std::string(filled, '#') + std::string(width - filled, '.') + "] " + std::to_string(int(100 * done)) +
+         " % " + CSCD::name(stage));
+  }
+
+private:
   void show(const std::string& text)
   {
     if (text != m_text) {
@@ -244,8 +259,7 @@ public:
     }
   }
 
-private:
-  std::string m_text;
+  std::string m_text; ///< that is on the terminal
 };
 
 } // namespace
@@ -404,10 +418,9 @@ Skeletonization_result skeletonize_with_progress(Input& input, const Skeletonize
   if (options.is_quiet || isatty(STDERR_FILENO) == 0) {
     return skeletonize_input(input, options, nullptr);
   }
-  Progress_line line;
-  return skeletonize_input(input, options, [&line](CSCD::Skeletonization_stage stage, double fraction) {
-    line.show(std::string(CSCD::name(stage)) + ": " + std::to_string(int(100 * fraction)) + " %");
-  });
+  Progress_bar bar;
+  return skeletonize_input(input, options,
+                           [&bar](CSCD::Skeletonization_stage stage, double fraction) { bar.show(stage, fraction); });
 }
 
 void tell_and_write(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
