@@ -67,7 +67,7 @@ void write_cut_locus_on_mesh(const std::string& filename, std::size_t number)
   Mesh mesh;
   CSCD::read_triangle_mesh(filename, mesh);
   if (number >= mesh.number_of_vertices()) {
-    throw std::out_of_range("there is no vertex " + std::to_string(number));
+    throw std::out_of_range("vertex " + std::to_string(number) + " does not exist: name one of the mesh");
   }
   const Vertex source{Mesh::size_type(number)};
   //! [The cut locus of a vertex]

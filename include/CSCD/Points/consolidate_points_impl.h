@@ -112,14 +112,15 @@ private:
   /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: points that are
   /// spread evenly in a box have about 0.25.
   static constexpr double deviation_in_space = 0.12;
-  /// That of half of the lonely points, at least, if they are outliers: half a hundredth of stray points around a
-  /// surface has 0.1, sparse parts of a surface at most 0.07.
+  /// Lonely points are outliers if the median of their deviations exceeds this. With 0.5 % of stray points around a
+  /// surface, it is about 0.1; on sparse parts of a surface, it is at most 0.07.
   static constexpr double outlier_deviation = 0.08;
-  /// It exceeds that of all other points by this factor; where all are noisy, it is less.
+  /// It must also exceed the median deviation of the other points by this factor: noise deviates everywhere.
   static constexpr double outlier_excess = 3;
   /// Fewer lonely points do not show whether they fill space.
   static constexpr std::size_t least_number_of_outliers = 5;
-  /// Of a large cloud, all lonely points are sought if more than this part of some points is lonely.
+  /// In a large cloud, some points are tried first; all lonely points are sought if more than this part of these is
+  /// lonely.
   static constexpr double part_of_few = 0.002;
   /// The points among which the neighbors of lonely points are sought, about.
   static constexpr std::size_t sample_around_outliers = 50000;

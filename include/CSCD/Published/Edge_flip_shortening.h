@@ -631,7 +631,7 @@ private:
   std::function<bool(Index)> m_is_pinned;
   std::priority_queue<Bend> m_bends;
   std::vector<Bend> m_blocked; // which other parts of the path are in the way of
-  std::vector<Index> m_arc;    // sides of faces in which the path has been
+  std::vector<Index> m_arc;    // the sides of faces that segments are replaced by
   std::vector<Index> m_added;
   Index m_first = 0; // segment of an open path, some segment of a closed one
   Index m_number_of_faces;

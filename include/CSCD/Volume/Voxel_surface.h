@@ -58,7 +58,7 @@ struct Volume_grid
   double signed_voxel_volume() const { return axes[0].dot(axes[1].cross(axes[2])); }
 };
 
-/// What a voxel belongs to: segmentations of large volumes number their bodies by 64 bits.
+/// The number of the body that a voxel belongs to. Segmentations of large volumes number bodies by 64 bits.
 using Voxel_label = std::uint64_t;
 
 /// An image in memory.
