@@ -9,6 +9,7 @@
 #include <CSCD/Vector3.h>
 #include <CSCD/skeletonize.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -225,6 +227,67 @@ TEST(Plain_bodies, of_thin_sections_and_uneven_triangles_have_a_straight_skeleto
       }
     }
     EXPECT_LT(length, 1.0004 * height_passed);
+  }
+}
+
+/// Two balls of radius 1 on the z axis, the first one around the origin, which a neck of `radius` and `length` joins.
+Soup dumbbell(double radius, double length)
+{
+  constexpr std::size_t rows_of_ball = 62;
+  constexpr std::size_t corners = 48;
+  const auto rows_of_neck = std::size_t(20 * length);
+  std::vector<std::array<double, 2>> profile; // from the first pole on: place along the axis, radius
+  for (std::size_t i = 1; i <= rows_of_ball; ++i) {
+    const double angle = pi + double(i) / rows_of_ball * (std::asin(radius) - pi);
+    profile.push_back({std::cos(angle), std::sin(angle)});
+  }
+  const double height_of_cap = profile.back()[0];
+  for (std::size_t i = 1; i < rows_of_neck; ++i) {
+    profile.push_back({height_of_cap + length * double(i) / double(rows_of_neck), radius});
+  }
+  for (std::size_t i = rows_of_ball - (length == 0 ? 1 : 0); i > 0; --i) {
+    profile.push_back({2 * height_of_cap + length - profile[i - 1][0], profile[i - 1][1]});
+  }
+  Soup soup = triangulated({"dumbbell", regular_polygon(corners)}, 1, profile.size() - 1);
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const double angle = 2 * pi * double(i % corners) / double(corners);
+    const auto [along, r] = profile[std::min(i / corners, profile.size() - 1)];
+    soup.points[i] = {r * std::cos(angle), r * std::sin(angle), along};
+  }
+  soup.points[soup.points.size() - 2] = {0, 0, -1};
+  soup.points[soup.points.size() - 1] = {0, 0, 2 * height_of_cap + length + 1};
+  return soup;
+}
+
+double distance_from_edges(const CSCD::Skeleton& skeleton, const Vector3& point)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : skeleton.edges) {
+    const Vector3 way = skeleton.points[b] - skeleton.points[a];
+    const double along = std::clamp((point - skeleton.points[a]).dot(way) / way.squaredNorm(), 0., 1.);
+    result = std::min(result, (skeleton.points[a] + along * way - point).norm());
+  }
+  return result;
+}
+
+TEST(Plain_bodies, of_two_balls_at_a_thin_neck_have_skeletons_in_both)
+{
+  for (const auto& [radius, length] :
+       {std::array<double, 2>{0.01, 0.}, {0.01, 0.5}, {0.03, 0.5}, {0.03, 2.}, {0.1, 0.5}}) {
+    Soup soup = dumbbell(radius, length);
+    Vector3 second_center(0, 0, 2 * std::sqrt(1 - radius * radius) + length);
+    for (int pose = 0; pose < 6; ++pose) {
+      SCOPED_TRACE("radius " + std::to_string(radius) + ", length " + std::to_string(length) + ", pose " +
+                   std::to_string(pose));
+      CSCD::Skeleton skeleton;
+      const CSCD::Skeletonization_report report = CSCD::skeletonize(soup.points, soup.faces, CSCD::Options(), skeleton);
+      EXPECT_EQ(report.number_of_edges_outside, 0U);
+      EXPECT_EQ(report.number_of_skeleton_components, 1U);
+      EXPECT_LT(distance_from_edges(skeleton, Vector3::Zero()), 0.6);
+      EXPECT_LT(distance_from_edges(skeleton, second_center), 0.6);
+      std::transform(soup.points.begin(), soup.points.end(), soup.points.begin(), turned);
+      second_center = turned(second_center);
+    }
   }
 }
 

@@ -127,6 +127,12 @@ private:
   /// A component of a smaller radius, relative to the root of the area of the surface, is flat: inside tests are
   /// unreliable there.
   static constexpr double min_thickness = 1e-7;
+  /// The far end of a lobe is at least this far away, relative to where a ray across the last separator meets the end
+  /// of the limb or, if that is more, to the radius of the separator: a second ball as large as the first is 3 away.
+  /// ...
+  static constexpr double min_way_to_lobe = 2.5;
+  /// ... and the lobe has at least this radius, likewise: from 0.55, no bowl of a glass is one.
+  static constexpr double min_radius_of_lobe = 0.75;
   /// Tips stay this far below the surface, relative to the radius.
   static constexpr double tip_depth = 0.65;
   /// An edge to a tip has at least this length, likewise.
@@ -221,7 +227,7 @@ private:
     if (!openings.empty()) {
       add_tip(piece, base, -openings.front().normal);
     } else if (number_of_ways == 1) {
-      if (!m_graph[base].is_on_sheet) {
+      if (!m_graph[base].is_on_sheet && !enter_lobe(piece, base)) {
         add_tip(piece, base, outward_normal(piece, start));
       }
     } else {
@@ -238,6 +244,28 @@ private:
     const double side = m_cut.cut_graph.sides(end).left == piece ? 1 : -1;
     const Vector3 normal = side * m_cut.separator(end).normal;
     return normal.dot(m_pieces.centroid(piece).value_or(start + normal) - start) < 0 ? Vector3(-normal) : normal;
+  }
+
+  /// Leads the branch from `base` through the last lobe of the body where the farthest point of `piece` lies in one: a
+  /// part behind a neck that is so thin or so short that no separator was found there. \return whether there is one
+  bool enter_lobe(Index piece, Index base)
+  {
+    const Vector3 start = m_graph[base].position;
+    const double reach = std::max(distance_to_end(piece, base, outward_normal(piece, start)), m_graph[base].radius);
+    const Vector3 farthest = m_pieces.farthest(piece, start);
+    if ((farthest - start).norm() < min_way_to_lobe * reach) {
+      return false;
+    }
+    const std::optional<Vector3> middle = m_cut.solid.middle_behind(farthest);
+    const double radius = middle ? (farthest - *middle).norm() : 0;
+    if (radius < min_radius_of_lobe * reach) {
+      return false;
+    }
+    const Index lobe = m_graph.add_node(*middle, radius);
+    m_graph[lobe].pieces = {piece};
+    m_graph.add_edge(base, lobe);
+    add_tip(piece, lobe, (farthest - *middle) / radius);
+    return true;
   }
 
   /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
