@@ -65,6 +65,7 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
 {
   Input input;
   CSCD::Shape_file as_read = keeps_file ? soup : CSCD::Shape_file();
+  std::vector<Vector3> places_in_file;
   const bool has_other_columns = soup.number_of_polygons() == 0 && soup.has_other_columns;
   if (soup.number_of_polygons() == 0) {
     input.is_point_set = true;
@@ -76,8 +77,12 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
         CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
     input = make_input(std::move(manifold.triangles));
     input.repairs = manifold.report;
+    places_in_file = std::move(manifold.places_in_file);
   }
   input.as_read = std::move(as_read);
+  if (!places_in_file.empty()) {
+    input.as_read.points = std::move(places_in_file);
+  }
   if (!is_quiet) {
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);

@@ -49,7 +49,7 @@ struct Input
   std::optional<Skeleton> graph;     ///< if treated as a graph: its vertices are the points
   std::optional<Volume_body> volume; ///< if the mesh is the surface of voxels
   bool is_wrapped = false;           ///< whether the mesh is a wrap around that of the file
-  CSCD::Shape_file as_read;          ///< the contents of the file, if kept
+  CSCD::Shape_file as_read;          ///< the contents of the file, if kept, with its points where repairs moved them
 };
 
 /// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.

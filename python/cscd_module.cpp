@@ -131,7 +131,9 @@ cscd::Input make_input(CSCD::Shape_file&& soup, unsigned number_of_threads)
   constexpr bool keeps_file = false; // only its points are needed
   std::vector<CSCD::Vector3> points = soup.points;
   cscd::Input result = cscd::to_input(std::move(soup), "mesh", is_quiet, keeps_file, number_of_threads);
-  result.as_read.points = std::move(points);
+  if (result.as_read.points.empty()) { // else they were moved
+    result.as_read.points = std::move(points);
+  }
   return result;
 }
 

@@ -17,6 +17,7 @@
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -32,6 +33,8 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,7 +44,8 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Calls `function(faces)` for each edge of triangles with the faces at it; the argument is reused. O(n log n).
+/// Calls `function(faces, edge)` for each edge of triangles with the faces at it, an array that is reused, and with its
+/// two vertices. O(n log n).
 template <class Function>
 void for_each_edge(const std::vector<std::array<Index, 3>>& faces, const Function& function)
 {
@@ -58,7 +62,7 @@ void for_each_edge(const std::vector<std::array<Index, 3>>& faces, const Functio
   for (std::size_t i = 0; i < sides.size(); ++i) {
     faces_of_edge.push_back(sides[i][2]);
     if (i + 1 == sides.size() || sides[i + 1][0] != sides[i][0] || sides[i + 1][1] != sides[i][1]) {
-      function(std::as_const(faces_of_edge));
+      function(std::as_const(faces_of_edge), std::array<Index, 2>{sides[i][0], sides[i][1]});
       faces_of_edge.clear();
     }
   }
@@ -79,7 +83,7 @@ std::size_t remove_flaps(Indexed_triangles& soup)
   constexpr double max_area = 0.01; // relative to that of the larger part
   const std::size_t number_of_faces = soup.faces.size();
   Disjoint_sets sets(number_of_faces);
-  for_each_edge(soup.faces, [&](const std::vector<Index>& faces) {
+  for_each_edge(soup.faces, [&](const std::vector<Index>& faces, const auto& /* edge */) {
     if (faces.size() == 2) {
       sets.join(faces[0], faces[1]);
     }
@@ -92,7 +96,7 @@ std::size_t remove_flaps(Indexed_triangles& soup)
     area[part[face]] += face_area[face];
   }
   std::vector<char> is_flap(number_of_parts, 0);
-  for_each_edge(soup.faces, [&](const std::vector<Index>& faces) {
+  for_each_edge(soup.faces, [&](const std::vector<Index>& faces, const auto& /* edge */) {
     if (faces.size() > 2) {
       double largest = 0;
       for (const Index face : faces) {
@@ -208,17 +212,74 @@ struct Soup_traits
   static constexpr auto less_xyz_3_object() { return is_lexicographically_less; }
 };
 
-/// Merges points of equal coordinates. \return their number
-std::size_t merge_points(Indexed_triangles& soup)
+/// Merges points of equal coordinates. \return for each old point, its new index
+std::vector<Index> merge_points(Indexed_triangles& soup, Mesh_repair_report& report)
 {
   std::vector<Index> new_index;
-  const std::size_t number_of_merged_points = merge_equal_points(soup.points, new_index);
+  report.number_of_merged_points += merge_equal_points(soup.points, new_index);
   for (std::array<Index, 3>& triangle : soup.faces) {
     for (Index& corner : triangle) {
       corner = new_index[corner];
     }
   }
-  return number_of_merged_points;
+  return new_index;
+}
+
+/// Makes coordinates equal that differ by `tolerance` at most, axis by axis: each becomes the least of its like.
+void round_coordinates(std::vector<Vector3>& points, double tolerance)
+{
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  for (Index axis = 0; axis < 3; ++axis) {
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return points[a][axis] < points[b][axis]; });
+    double least = -std::numeric_limits<double>::infinity();
+    for (const Index point : order) {
+      double& coordinate = points[point][axis];
+      least = coordinate - least <= tolerance ? least : coordinate;
+      coordinate = least;
+    }
+  }
+}
+
+/// Moves points at edges of a single face to the first one that only rounding to single precision parts from them:
+/// writers of STL may compute a point anew for each triangle, which leaves gaps. \return whether any moved
+/// \param pairing of the halfedges, which makes it faster, or nothing
+bool close_rounding_gaps(Indexed_triangles& soup, const std::optional<Halfedge_pairing>& pairing)
+{
+  constexpr double rounding = 0x1p-22; // twice that of single precision, relative to the longest side of the mesh
+  std::vector<Index> vertices;
+  std::vector<Vector3> places;
+  const auto add = [&](Index vertex) {
+    vertices.push_back(vertex);
+    places.push_back(soup.points[vertex]);
+  };
+  for (Index h = 0; pairing && h < pairing->number_of_halfedges(); ++h) {
+    if (pairing->twin(h) == no_index) {
+      add(soup.origin(h));
+    }
+  }
+  if (!pairing) {
+    for_each_edge(soup.faces, [&](const std::vector<Index>& faces, const std::array<Index, 2>& edge) {
+      if (faces.size() == 1) {
+        std::for_each(edge.begin(), edge.end(), add);
+      }
+    });
+  }
+  const Bounding_box box(soup.points);
+  round_coordinates(places, (rounding * box.max() - rounding * box.min()).maxCoeff()); // the side itself may overflow
+  std::vector<Index> place;
+  merge_equal_points(places, place);
+  bool has_moved = false;
+  std::vector<Index> first_vertex; // at each place
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (place[i] == first_vertex.size()) {
+      first_vertex.push_back(vertices[i]);
+    }
+    const Vector3 point = soup.points[first_vertex[place[i]]];
+    has_moved = has_moved || soup.points[vertices[i]] != point;
+    soup.points[vertices[i]] = point;
+  }
+  return has_moved;
 }
 
 /// Removes triangles that name a vertex twice, all but one of those of the same vertices, flaps, and points without
@@ -249,16 +310,25 @@ void orient(Indexed_triangles& soup, Mesh_repair_report& report)
   }
 }
 
-/// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if that is
-/// not enough, removes useless faces and points and flaps, turns faces, and duplicates points where the surface is no
-/// manifold. \return the pairing of the halfedges, or nothing if it failed
-std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Mesh_repair_report& report)
+/// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if borders
+/// are left, closes gaps of rounding; if that is not enough, removes useless faces and points and flaps, turns faces,
+/// and duplicates points where the surface is no manifold. \return the pairing of the halfedges, or nothing if it
+/// failed
+std::optional<Halfedge_pairing> repair_triangle_soup(Manifold_triangles& mesh)
 {
-  report.number_of_merged_points += merge_points(soup);
+  Indexed_triangles& soup = mesh.triangles;
+  const std::vector<Index> vertex_of_point = merge_points(soup, mesh.report);
   std::optional<Halfedge_pairing> pairing = pair_manifold(soup);
+  if ((!pairing || pairing->has_border()) && close_rounding_gaps(soup, pairing)) {
+    for (const Index vertex : vertex_of_point) {
+      mesh.places_in_file.push_back(soup.points[vertex]);
+    }
+    merge_points(soup, mesh.report);
+    pairing = pair_manifold(soup);
+  }
   if (!pairing) {
-    remove_useless_elements(soup, report);
-    orient(soup, report);
+    remove_useless_elements(soup, mesh.report);
+    orient(soup, mesh.report);
     soup.first_hole_filling_face = soup.faces.size();
     pairing = pair_manifold(soup);
   }
@@ -279,7 +349,7 @@ Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filen
   }
   std::optional<Halfedge_pairing> pairing = pair_manifold(result.triangles, number_of_threads);
   if (!pairing || pairing->has_border()) {
-    pairing = repair_triangle_soup(result.triangles, result.report);
+    pairing = repair_triangle_soup(result);
   }
   if (!pairing) {
     throw Input_error(filename + ": the faces do not form a surface and could not be repaired; repair the mesh with a "

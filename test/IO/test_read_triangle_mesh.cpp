@@ -9,6 +9,7 @@
 #include "support/skip_or_fail.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -289,6 +290,54 @@ TEST(Read_triangle_mesh, stitches_a_soup)
   const Result result = read_off(soup);
   expect_cube(result.mesh);
   EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
+}
+
+/// The cube with corners of its own for each triangle, which lie up to `gap` apart.
+Mesh_file_content cube_with_gaps(double gap)
+{
+  Mesh_file_content soup;
+  for (const auto& polygon : cube().polygons) {
+    soup.polygons.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2});
+    for (std::size_t i : polygon) {
+      soup.points.push_back(cube().points[i]);
+      soup.points.back()[soup.points.size() % 3] += gap * double(soup.points.size() % 5) / 4;
+    }
+  }
+  return soup;
+}
+
+TEST(Read_triangle_mesh, closes_gaps_of_rounding)
+{
+  for (const double gap : {1e-7, 1e-17}) {
+    const Result result = read(binary_ply(cube_with_gaps(gap), true), ".ply");
+    EXPECT_EQ(8u, num_vertices(result.mesh));
+    EXPECT_EQ(12u, num_faces(result.mesh));
+    EXPECT_TRUE(CGAL::is_closed(result.mesh));
+    EXPECT_NEAR(1, PMP::volume(result.mesh), 1e-6);
+    EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
+  }
+}
+
+TEST(Read_triangle_mesh, points_of_the_file_are_found_where_gaps_were_closed)
+{
+  std::istringstream in(binary_ply(cube_with_gaps(1e-7), true));
+  const auto manifold = CSCD::internal::make_manifold(
+      CSCD::internal::read_shape(in, ".ply", "input", CSCD::internal::mesh_content), "input");
+  const std::vector<CSCD::Index> vertices = CSCD::internal::vertices_of_file(
+      manifold.places_in_file, manifold.triangles.points, std::vector<char>(manifold.triangles.points.size(), 1));
+  EXPECT_EQ(36u, vertices.size());
+  EXPECT_EQ(0, std::count(vertices.begin(), vertices.end(), CSCD::no_index));
+}
+
+TEST(Read_triangle_mesh, keeps_gaps_wider_than_rounding_and_the_points_of_borders)
+{
+  EXPECT_FALSE(CGAL::is_closed(read(binary_ply(cube_with_gaps(1e-5), true), ".ply").mesh));
+  Mesh_file_content open = cube(); // at whose border some coordinates nearly agree
+  open.polygons.resize(10);
+  open.points[0][0] = 1e-9F;
+  const Result result = read(binary_ply(open, true), ".ply");
+  EXPECT_EQ(Sentences{}, result.report.sentences());
+  EXPECT_EQ(1e-9F, result.mesh.point(Mesh::Vertex_index(0)).x());
 }
 
 TEST(Read_triangle_mesh, turns_faces_that_contradict_their_neighbors)

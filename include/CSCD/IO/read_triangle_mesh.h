@@ -29,7 +29,7 @@ namespace CSCD {
 struct Mesh_repair_report
 {
   std::size_t number_of_triangulated_polygons = 0; ///< faces of more than three vertices, cut into triangles
-  std::size_t number_of_merged_points = 0;         ///< points that repeated the position of another one
+  std::size_t number_of_merged_points = 0;         ///< points at the place of another one, at borders up to rounding
   std::size_t number_of_removed_faces = 0;         ///< triangles that named a vertex twice or repeated another triangle
   /// Triangles of small parts that hung on the surface where three faces or more met at an edge.
   std::size_t number_of_removed_flap_faces = 0;
@@ -52,6 +52,8 @@ struct Manifold_triangles
 {
   Indexed_triangles triangles;
   Mesh_repair_report report;
+  /// Where the points of the file are now, if some at borders were merged that only rounding parted; else empty.
+  std::vector<Vector3> places_in_file;
 };
 
 /// Cuts polygons into triangles and repairs these.
@@ -62,8 +64,8 @@ Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filen
 
 /// For each polygon of a file, the largest of its triangles that is a face of the mesh that was made from the file; if
 /// none is, some face at one of its points; `no_index` if there is none either. Faces are found by the places of their
-/// corners, as repairs never move a point. O(n log n).
-/// \param file the argument of `make_manifold()`
+/// corners. O(n log n).
+/// \param file the argument of `make_manifold()`, whose points are the `places_in_file` of the result if it has any
 /// \param points, faces of the mesh
 std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector3>& points,
                                      const std::vector<std::array<Index, 3>>& faces);
@@ -85,11 +87,12 @@ Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::st
 /// reads the triangle mesh that the file `filename` holds and repairs it. Its ending, in lower or upper case, names the
 /// format: `.off`, `.obj`, `.ply`, `.stl`, `.vtp` and `.vtk` of VTK's PolyData, `.glb` and `.gltf`. With a further
 /// ending `.gz` it is decompressed by zlib first. Polygons are cut into triangles. If these do not form an oriented
-/// closed manifold, points of equal coordinates are merged. If they still do not form a manifold, degenerate and
-/// duplicate faces and small flaps are removed, faces turned to agree with their neighbors, and points duplicated where
-/// the surface is not a manifold. If it is closed, components that face inwards are turned, except cavities. Vertices
-/// and faces are numbered as in the file, as far as nothing had to be repaired; vertices without a face are kept then.
-/// Near linear. \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
+/// closed manifold, points of equal coordinates are merged, at borders also those that only rounding to single
+/// precision parts. If they still do not form a manifold, degenerate and duplicate faces and small flaps are removed,
+/// faces turned to agree with their neighbors, and points duplicated where the surface is not a manifold. If it is
+/// closed, components that face inwards are turned, except cavities. Vertices and faces are numbered as in the file, as
+/// far as nothing had to be repaired; vertices without a face are kept then. Near linear.
+/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \param mesh is replaced; when an exception is thrown it is as it was
 /// \return the repairs that were made
 /// \throw File_error if the file cannot be read, is malformed, or has no faces

@@ -29,7 +29,7 @@ namespace internal {
 std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_vertex, const Skeleton_branches& branches);
 
 /// For each point of a file, the vertex at its place of the mesh that was made from the file; `no_index` if none.
-/// Repairs merge, double and drop points, but never move one. Linear.
+/// Linear. \param points_of_file or the `places_in_file` that repairs gave them
 /// \param is_known of several vertices at a place, the first known one counts
 std::vector<Index> vertices_of_file(const std::vector<Vector3>& points_of_file,
                                     const std::vector<Vector3>& points_of_mesh, const std::vector<char>& is_known);
