@@ -273,7 +273,7 @@ private:
   std::string m_filename;
 };
 
-/// Reads vertices, and faces or edges; all other elements and properties are passed over.
+/// Reads vertices, and faces, strips or edges; all other elements and properties are passed over.
 class Ply_parser
 {
 public:
@@ -287,11 +287,14 @@ public:
     read_header();
     for (const Element& element : m_elements) {
       const bool is_face = element.is_called("face", "faces");
-      m_shape.has_polygons = m_shape.has_polygons || is_face;
+      const bool is_strip = element.is_called("tristrip", "tristrips");
+      m_shape.has_polygons = m_shape.has_polygons || is_face || is_strip;
       if (element.is_called("vertex", "vertices")) {
         read_points(element);
       } else if (is_face && m_contents != skeleton_content) {
         read_polygons(element);
+      } else if (is_strip && m_contents != skeleton_content) {
+        read_strips(element);
       } else if (element.is_called("edge", "edges") && (m_contents & skeleton_content) != 0) {
         read_edges(element);
       } else {
@@ -393,22 +396,46 @@ private:
     m_items->read_numbers(element, {"x", "y", "z", "nx", "ny", "nz", "radius"}, add);
   }
 
+  /// The list of vertices of each item; behind all properties if there is none.
+  static const Property* find_corners(const Element& element)
+  {
+    const Property* const properties = element.properties.data();
+    return std::find_if(properties, properties + element.properties.size(), [](const Property& p) {
+      return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+    });
+  }
+
   void read_polygons(const Element& element)
   {
     const std::size_t max_number = std::min(element.number_of_items, m_items->remaining() / 3 + 1);
     m_shape.corners.reserve(3 * max_number);
     m_shape.first_corner.reserve(max_number + 1);
-    const Property* const properties = element.properties.data();
-    const Property* const corners =
-        std::find_if(properties, properties + element.properties.size(), [](const Property& p) {
-          return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
-        });
+    const Property* const corners = find_corners(element);
     const auto add = [this, corners](std::size_t face, const Property& property, double number) {
       if (&property == corners) {
         m_shape.corners.push_back(to_index(number, "face", face));
       }
     };
     m_items->read_items(element, add, [this](std::size_t) { m_shape.end_polygon(); });
+  }
+
+  /// Reads strips of triangles, which -1 ends: a vertex makes one with the two before it, every other one turned.
+  void read_strips(const Element& element)
+  {
+    const Property* const corners = find_corners(element);
+    std::vector<Index> strip;
+    const auto add = [&](std::size_t item, const Property& property, double number) {
+      if (&property == corners && number == -1) {
+        strip.clear();
+      } else if (&property == corners) {
+        strip.push_back(to_index(number, "strip", item));
+        if (const std::size_t n = strip.size(); n > 2) {
+          m_shape.corners.insert(m_shape.corners.end(), {strip[n - 3], strip[n - 1 - n % 2], strip[n - 2 + n % 2]});
+          m_shape.end_polygon();
+        }
+      }
+    };
+    m_items->read_items(element, add, [&strip](std::size_t) { strip.clear(); });
   }
 
   void read_edges(const Element& element)

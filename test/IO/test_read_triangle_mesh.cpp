@@ -647,6 +647,19 @@ TEST(Read_triangle_mesh, reads_strips_of_vtk_and_gltf)
   EXPECT_TRUE(result.report.is_empty()) << "both triangles turn the same way";
 }
 
+TEST(Read_triangle_mesh, reads_strips_of_ply)
+{
+  // The cube as a strip around four sides and two strips of a square.
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement tristrips 2\nproperty list int int vertex_indices\nend_header\n";
+  const std::string points = off(cube()).substr(std::string("OFF\n8 12 0\n").size());
+  const std::string strips = "15 0 4 1 5 2 6 3 7 0 4 -1 0 1 3 2\n4 4 7 5 6\n";
+  const Result result = read(header + points.substr(0, 8 * std::string("0 0 0\n").size()) + strips, ".ply");
+  expect_cube(result.mesh);
+  EXPECT_EQ(Sentences{"1 component turned outwards"}, result.report.sentences()) << "all triangles agree";
+}
+
 TEST(Read_triangle_mesh, arrays_of_vtp_that_share_data_are_counted)
 {
   std::string content = "<VTKFile type='PolyData'><PolyData><Piece><Points>";
