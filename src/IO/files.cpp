@@ -177,7 +177,9 @@ void check(Shape_file& shape, const std::string& filename, unsigned contents)
       fail_in_file(filename, "the file has no points", "fetch or write it again");
     }
   } else if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
-    fail_in_file(filename, "the file has no faces", "a triangle mesh is needed");
+    fail_in_file(filename, "the file has no faces",
+                 shape.points.empty() ? "a triangle mesh is needed"
+                                      : "name a triangle mesh, or write the points as .xyz or .ply");
   }
 }
 
@@ -251,6 +253,10 @@ Shape_file read_shape(std::istream& in, const std::string& ending, const std::st
   const std::string content = read_content(in, name, ending);
   if (content.empty()) {
     fail_in_file(name, "the file is empty", "fetch or write it again");
+  }
+  const std::string beginning = content.substr(0, 2);
+  if ((beginning == "\xFF\xFE" || beginning == "\xFE\xFF") && content.find('\0') < 4) { // a byte order mark, then text
+    fail_in_file(name, "the file is text in UTF-16", "save it as UTF-8");
   }
   Shape_file shape = format.parse(content, name, contents);
   check(shape, name, contents & format.contents);

@@ -489,6 +489,10 @@ TEST(Read_triangle_mesh, refuses_malformed_files)
   EXPECT_EQ("input, line 7: a face names vertex 3, but there are only 3 (counted from 0); correct this line or write "
             "the file again",
             refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n\n0 1 0\n3 0 1 3\n", ".off"));
+  EXPECT_EQ("input: the file has no faces; name a triangle mesh, or write the points as .xyz or .ply",
+            refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\n", ".obj"));
+  EXPECT_EQ("input: the file is text in UTF-16; save it as UTF-8", refusal({"\xFF\xFEv\0 \0", 6}, ".obj"));
+  EXPECT_EQ("input: the file is text in UTF-16; save it as UTF-8", refusal({"\xFE\xFF\0v\0 ", 6}, ".obj"));
 }
 
 /// A file of the cube, cut off behind some bytes, or with another text in the place of one.
