@@ -65,6 +65,9 @@ CSCD_INLINE void put_in_order(const std::vector<Vector3>& points, const std::vec
       cloud.normals.back() += normals[i];
     }
   }
+  if (std::all_of(cloud.normals.begin(), cloud.normals.end(), [](const Vector3& n) { return n == Vector3::Zero(); })) {
+    cloud.normals.clear(); // some programs write columns that they do not fill
+  }
   for (Vector3& normal : cloud.normals) {
     normal.normalize();
   }
