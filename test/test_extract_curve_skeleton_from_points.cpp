@@ -290,6 +290,38 @@ TEST(Point_skeleton, uses_normals)
   EXPECT_THROW(CSCD::extract_curve_skeleton(points, skeleton), CSCD::Input_error);
 }
 
+TEST(Point_skeleton, ignores_normals_that_are_all_zero)
+{
+  CGAL::Point_set_3<Point> points;
+  points.add_normal_map(); // filled with zeros
+  for (int i = 0; i < 8; ++i) {
+    points.insert(Point(i & 1, i >> 1 & 1, i >> 2));
+  }
+  CSCD::Skeleton_graph<Point, CGAL::Point_set_3<Point>::Index> skeleton;
+  EXPECT_EQ(0u, CSCD::extract_curve_skeleton(points, skeleton).reconstruction->number_of_border_edges);
+}
+
+/// A disc with two holes, as thick as its points are far apart.
+TEST(Point_skeleton, of_a_thin_plate_is_that_of_a_sheet)
+{
+  std::mt19937 generator;
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::bernoulli_distribution is_upper;
+  std::vector<Triple> points;
+  while (points.size() < 10000) {
+    const double x = coordinate(generator);
+    const double y = coordinate(generator);
+    if (std::hypot(x, y) < 1 && std::hypot(x - 0.5, y) > 0.3 && std::hypot(x + 0.5, y) > 0.3) {
+      points.push_back({x, y, is_upper(generator) ? 0.01 : -0.01});
+    }
+  }
+  const Outcome outcome = skeletonize(points);
+  EXPECT_EQ(2u, outcome.report.betti_number);
+  EXPECT_EQ(0u, outcome.report.number_of_tips);
+  EXPECT_EQ(3u, outcome.report.number_of_wide_borders);
+  EXPECT_FALSE(outcome.report.warnings.empty());
+}
+
 TEST(Point_skeleton, keeps_interlocked_rings_apart)
 {
   using namespace CSCD::test;

@@ -72,6 +72,7 @@ CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
   }
   check_border(cloud, result);
   complete();
+  complete.open_sheet(triangulated.spacing);
   const std::vector<Index>& point = result.point_of_vertex;
   report.number_of_unused_points =
       cloud.points.size() + std::size_t(std::count(point.begin(), point.end(), no_index)) - point.size();

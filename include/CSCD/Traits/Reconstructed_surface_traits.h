@@ -58,9 +58,9 @@ public:
     reconstructed.report.number_of_outliers += number_of_outliers;
     reconstructed.report.number_of_unused_points += number_of_outliers;
     reconstructed.report.number_of_thinned_points -= number_of_outliers;
-    const Triangulated_solid& solid =
-        this->m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing),
-                                Border_treatment::bridge, number_of_threads);
+    const Triangulated_solid& solid = this->m_surface.emplace(
+        std::move(reconstructed.triangles), std::move(reconstructed.pairing),
+        reconstructed.is_sheet ? Border_treatment::open : Border_treatment::bridge, number_of_threads);
     this->m_normalization = cloud.normalization.then(solid.normalization());
     this->m_descriptors = internal::points_of_vertices(
         points, cloud, internal::vertices_of_points(solid, cloud, reconstructed.point_of_vertex),
@@ -113,6 +113,10 @@ private:
                        "outliers, far from all other points: left out");
     report.add_warning(made.number_of_unused_points, "point off the surface: it belongs to the node of the nearest",
                        "points off the surface: they belong to the nodes of the nearest");
+    if (report.number_of_sheets > 0) {
+      report.warnings.emplace_back("the points are those of a sheet, or of a body that is thinner than they are far "
+                                   "apart: the skeleton is that of a sheet; sample a body more densely");
+    }
     report.add_warning(made.number_of_holes, "hole of the reconstructed surface: closed by faces without weight",
                        "holes of the reconstructed surface: closed by faces without weight");
     report.add_warning(made.joined_gaps.size(), "gap between fragments of the reconstructed surface: bridged",
