@@ -291,6 +291,28 @@ TEST(Plain_bodies, of_two_balls_at_a_thin_neck_have_skeletons_in_both)
   }
 }
 
+TEST(Plain_bodies, of_two_balls_are_straight_if_the_neck_is_found)
+{
+  for (const double radius : {0.03, 0.1}) {
+    Soup soup = dumbbell(radius, 0.5);
+    Vector3 axis(0, 0, 1);
+    double sum_of_distances = 0;
+    constexpr int number_of_poses = 6;
+    for (int pose = 0; pose < number_of_poses; ++pose) {
+      CSCD::Skeleton skeleton;
+      CSCD::skeletonize(soup.points, soup.faces, CSCD::Options(), skeleton);
+      double distance = 0;
+      for (const Vector3& point : skeleton.points) {
+        distance = std::max(distance, (point - point.dot(axis) * axis).norm());
+      }
+      sum_of_distances += distance;
+      std::transform(soup.points.begin(), soup.points.end(), soup.points.begin(), turned);
+      axis = turned(axis);
+    }
+    EXPECT_LT(sum_of_distances / number_of_poses, 0.1);
+  }
+}
+
 /// The name of `body`, of letters and digits alone.
 std::string test_name(const Plain_body& body)
 {

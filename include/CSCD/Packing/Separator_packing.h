@@ -73,6 +73,10 @@ private:
   static constexpr double oblique_factor = 1.7;
   /// ... and the cosine of the angle to the next one is at most this.
   static constexpr double max_oblique_cosine = 0.9;
+  /// Across a ball behind a neck, circles in any direction are separators: they are at least this round, ...
+  static constexpr double min_roundness_of_ball = 0.97;
+  /// ... and cut off up to this factor. With 2.4, more dumbbells bend; with 20, the same ones as with this.
+  static constexpr double ball_factor = 4;
   /// Some separator of a branch into the corner of a plank, or across a flange, is at most this round, less than a
   /// square, and separators around low limbs are rounder.
   static constexpr double max_roundness_of_plank = 0.77;
@@ -169,7 +173,7 @@ private:
       return number_of_weak_steps(1);
     }
     std::size_t first_strong = number_of_weak_steps(corner_factor);
-    while (first_strong + 1 < m_branch.size() && !cuts_off(m_branch[first_strong], oblique_factor) &&
+    while (first_strong + 1 < m_branch.size() && !cuts_off(m_branch[first_strong], factor_if_oblique(first_strong)) &&
            cosine(first_strong, first_strong + 1) < max_oblique_cosine) {
       ++first_strong;
     }
@@ -182,6 +186,12 @@ private:
     }
     const std::size_t first_of_limb = number_of_weak_steps(1);
     return first_of_limb < m_branch.size() ? first_of_limb : 0;
+  }
+
+  /// The factor up to which step `i` is oblique if it turns aside.
+  double factor_if_oblique(std::size_t i) const
+  {
+    return separator(m_branch[i]).roundness() > min_roundness_of_ball ? ball_factor : oblique_factor;
   }
 
   /// The cosine of the angle between the planes of two steps.
