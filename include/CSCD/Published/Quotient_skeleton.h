@@ -220,7 +220,7 @@ private:
       // A region may have no area, where a border was bridged.
       const Vector3 center =
           area[region] > 0 ? Vector3(sum[region] / area[region]) : Vector3(plain_sum[region] / double(count[region]));
-      builder[builder.add_node(center, 0)].separators = {region};
+      builder[builder.add_node(center, 0)].pieces = {region};
     }
     m_area = std::move(area);
     const std::vector<double> radius = radii([this](Index vertex) { return m_regions[vertex]; }, builder);
@@ -256,10 +256,8 @@ private:
     const Skeleton_builder& builder = skeleton.graph;
     std::vector<std::vector<Index>> nodes_of_region(m_regions.size());
     for (Index node = 0; node < builder.size(); ++node) {
-      for (const std::vector<Index>* regions : {&builder[node].separators, &builder[node].pieces}) {
-        for (Index region : *regions) {
-          nodes_of_region[region].push_back(node);
-        }
+      for (Index region : builder[node].pieces) {
+        nodes_of_region[region].push_back(node);
       }
     }
     skeleton.node_of_vertex.resize(m_triangulation.number_of_vertices());

@@ -273,7 +273,7 @@ private:
       crossing_points(m_cut.solid.triangulation(), separator.crossings, outline);
       const Section_disc disc = section_disc(outline);
       const Index node = m_graph.add_node(disc.center, disc.radius());
-      m_graph[node].separators = {i};
+      m_graph[node].pieces = {m_cut.cut_graph.sides(i).left, m_cut.cut_graph.sides(i).right};
       place_on_sheet(m_cut.solid, separator, m_graph[node]);
     }
   }

@@ -46,9 +46,7 @@ public:
     Vector3 position = Vector3::Zero();
     /// Radius of the body around the node.
     double radius = 0;
-    /// Positions of the packed separators that the node represents.
-    std::vector<Index> separators;
-    /// The pieces of the cut surface that the node represents.
+    /// The pieces of the cut surface, or the regions of packed separators, whose vertices may belong to the node.
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
@@ -205,19 +203,15 @@ public:
   }
 
 private:
-  /// Marks `node` as removed; no neighbor refers to it any more. `heir` gets its separators and pieces.
+  /// Marks `node` as removed; no neighbor refers to it any more. `heir` gets its pieces.
   void remove(Index node, Index heir)
   {
-    append(m_nodes[heir].separators, m_nodes[node].separators);
-    append(m_nodes[heir].pieces, m_nodes[node].pieces);
+    std::vector<Index>& pieces = m_nodes[heir].pieces;
+    pieces.insert(pieces.end(), m_nodes[node].pieces.begin(), m_nodes[node].pieces.end());
     m_nodes[node] = Node();
     m_nodes[node].heir = heir;
   }
 
-  static void append(std::vector<Index>& to, const std::vector<Index>& from)
-  {
-    to.insert(to.end(), from.begin(), from.end());
-  }
   static void replace_one(std::vector<Index>& list, Index old_value, Index new_value)
   {
     *std::find(list.begin(), list.end(), old_value) = new_value;

@@ -41,18 +41,13 @@ inline std::vector<std::vector<Index>> nodes_of_pieces(const Cut_graph& cut_grap
     for (Index piece : graph[node].pieces) {
       result[piece].push_back(node);
     }
-    for (Index separator : graph[node].separators) {
-      result[cut_graph.sides(separator).left].push_back(node);
-      result[cut_graph.sides(separator).right].push_back(node);
-    }
   }
-  const auto is_between = [&](Index node) { return graph[node].separators.empty() && graph[node].pieces.empty(); };
   std::vector<Index> last_piece(graph.size(), no_index); // that each node was added to
   for (Index piece = 0; piece < result.size(); ++piece) {
     std::vector<Index>& nodes = result[piece];
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (Index neighbor : graph[nodes[i]].neighbors) {
-        if (is_between(neighbor) && std::exchange(last_piece[neighbor], piece) != piece) {
+        if (graph[neighbor].pieces.empty() && std::exchange(last_piece[neighbor], piece) != piece) {
           nodes.push_back(neighbor);
         }
       }

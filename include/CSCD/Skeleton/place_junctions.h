@@ -250,14 +250,13 @@ private:
     return m_routing.is_free(place, m_graph[node].position) ? std::optional(passed) : std::nullopt;
   }
 
-  /// Moves `junction` to `place`, and the first nodes of the branches to straight lines from there. The separators and
-  /// pieces of the `passed` nodes go to the nearest of these.
+  /// Moves `junction` to `place`, and the first nodes of the branches to straight lines from there. The pieces of the
+  /// `passed` nodes go to the nearest of these.
   void move(Index junction, const Vector3& place, const std::vector<Index>& passed, const std::array<Limb, 3>& limbs)
   {
     std::vector<Skeleton_builder::Node> removed;
     for (const Index node : passed) {
       removed.push_back(m_graph[node]);
-      m_graph[node].separators.clear();
       m_graph[node].pieces.clear();
       m_graph.contract(node, junction);
     }
@@ -270,7 +269,6 @@ private:
       const auto squared_distance = [&](Index i) { return (m_graph[i].position - node.position).squaredNorm(); };
       Skeleton_builder::Node& heir = m_graph[*std::min_element(
           nodes.begin(), nodes.end(), [&](Index i, Index j) { return squared_distance(i) < squared_distance(j); })];
-      heir.separators.insert(heir.separators.end(), node.separators.begin(), node.separators.end());
       heir.pieces.insert(heir.pieces.end(), node.pieces.begin(), node.pieces.end());
     }
   }
