@@ -309,8 +309,7 @@ TEST(Point_skeleton, of_a_thin_plate_is_that_of_a_sheet)
   std::bernoulli_distribution is_upper;
   std::vector<Triple> points;
   while (points.size() < 10000) {
-    const double x = coordinate(generator);
-    const double y = coordinate(generator);
+    const double x = coordinate(generator), y = coordinate(generator);
     if (std::hypot(x, y) < 1 && std::hypot(x - 0.5, y) > 0.3 && std::hypot(x + 0.5, y) > 0.3) {
       points.push_back({x, y, is_upper(generator) ? 0.01 : -0.01});
     }

@@ -233,12 +233,11 @@ TEST(Plain_bodies, of_thin_sections_and_uneven_triangles_have_a_straight_skeleto
 Soup dumbbell(double radius, double distance)
 {
   constexpr std::size_t corners = 48;
-  const double cap = std::sqrt(1 - radius * radius);
   std::vector<std::array<double, 2>> half; // from the first pole to the middle: place along the axis, radius
   for (double angle = pi - 0.05; angle > std::asin(radius); angle -= 0.05) {
     half.push_back({std::cos(angle), std::sin(angle)});
   }
-  for (double along = cap; along < distance / 2 - 0.01; along += 0.05) {
+  for (double along = std::sqrt(1 - radius * radius); along < distance / 2 - 0.01; along += 0.05) {
     half.push_back({along, radius});
   }
   const std::size_t rows = 2 * half.size() + 1;
@@ -275,8 +274,7 @@ TEST(Plain_bodies, of_two_balls_at_a_thin_neck_have_skeletons_in_both)
         distance_from_center[0] = std::min(distance_from_center[0], point.norm());
         distance_from_center[1] = std::min(distance_from_center[1], (point - distance * axis).norm());
       }
-      EXPECT_LT(distance_from_center[0], 0.6);
-      EXPECT_LT(distance_from_center[1], 0.6);
+      EXPECT_LT(std::max(distance_from_center[0], distance_from_center[1]), 0.6);
       sum_of_offsets += offset;
       std::transform(soup.points.begin(), soup.points.end(), soup.points.begin(), turned);
       axis = turned(axis);

@@ -311,8 +311,6 @@ TEST(Read_triangle_mesh, closes_gaps_of_rounding)
   for (const double gap : {1e-7, 1e-17}) {
     const Result result = read(binary_ply(cube_with_gaps(gap), true), ".ply");
     EXPECT_EQ(8u, num_vertices(result.mesh));
-    EXPECT_EQ(12u, num_faces(result.mesh));
-    EXPECT_TRUE(CGAL::is_closed(result.mesh));
     EXPECT_NEAR(1, PMP::volume(result.mesh), 1e-6);
     EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
   }

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only handles of a few edges are cut; and the steps of the cut.
+// Only handles of a few edges are cut.
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Handle_repair.h>
-#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
@@ -101,27 +100,6 @@ TEST(Handle_repair, cuts_where_limbs_touch_and_keeps_necks)
     EXPECT_EQ(2, euler_number(touching));
     EXPECT_EQ(0u, repair(touching));
   }
-}
-
-TEST(split_pinched_vertices, gives_every_fan_a_vertex)
-{
-  // Two tetrahedra that touch in vertex 0, and one triangle of a third fan.
-  Indexed_triangles triangles;
-  triangles.points.assign(9, CSCD::Vector3::Zero());
-  for (Index i = 0; i < 9; ++i) {
-    triangles.points[i].x() = i;
-  }
-  triangles.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}, {0, 7, 8}};
-  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  const std::vector<Index> originals = CSCD::internal::split_pinched_vertices(triangles, pairing);
-  EXPECT_EQ((std::vector<Index>{0, 0}), originals);
-  ASSERT_EQ(11u, triangles.points.size());
-  EXPECT_EQ(triangles.points[0], triangles.points[9]);
-  for (std::size_t f : {0u, 1u, 2u}) {
-    EXPECT_EQ(0u, triangles.faces[f][0]);
-    EXPECT_EQ(9u, triangles.faces[f + 4][0]);
-  }
-  EXPECT_EQ(10u, triangles.faces[8][0]);
 }
 
 } // namespace

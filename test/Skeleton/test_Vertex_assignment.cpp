@@ -127,17 +127,4 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
   }
 }
 
-TEST(Vertex_assignment, gives_a_component_without_separators_its_nodes)
-{
-  const Cut_shape shape(CSCD::test::capsule(6, 1, 24), {});
-  const Skeleton_builder& graph = shape.skeleton.graph;
-  std::size_t number_of_tips = 0;
-  for (Index node = 0; node < graph.size(); ++node) {
-    number_of_tips += graph.degree(node) == 1 ? 1 : 0;
-    EXPECT_TRUE(shape.solid->is_inside(graph[node].position)) << node;
-  }
-  EXPECT_EQ(number_of_tips, 2u) << "the body is long";
-  EXPECT_EQ(shape.report.number_of_nodes_outside, 0u);
-}
-
 } // namespace
