@@ -312,7 +312,7 @@ void orient(Indexed_triangles& soup, Mesh_repair_report& report)
 
 /// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if borders
 /// are left, closes gaps of rounding; if that is not enough, removes useless faces and points and flaps, turns faces,
-/// and duplicates points where the surface is no manifold. \return the pairing of the halfedges, or nothing if it
+/// and duplicates points where the surface is not a manifold. \return the pairing of the halfedges, or nothing if it
 /// failed
 std::optional<Halfedge_pairing> repair_triangle_soup(Manifold_triangles& mesh)
 {

@@ -188,7 +188,7 @@ private:
     return first_of_limb < m_branch.size() ? first_of_limb : 0;
   }
 
-  /// The factor up to which step `i` is oblique if it turns aside.
+  /// The largest factor at which step `i` is oblique if it turns aside.
   double factor_if_oblique(std::size_t i) const
   {
     return separator(m_branch[i]).roundness() > min_roundness_of_ball ? ball_factor : oblique_factor;
