@@ -121,13 +121,16 @@ public:
   /// sheet, or of a body that is thinner than they are far apart. Near linear.
   void open_sheet(double spacing)
   {
+    if (m_surface.report.number_of_holes == 0) {
+      return;
+    }
     Indexed_triangles& triangles = m_surface.triangles;
     const Surface_components components(triangles);
     double thickness_by_area = 0;
     for (const Surface_components::Measure& measure : components.measures) {
       thickness_by_area += 2 * measure.volume - max_thickness * spacing * measure.area;
     }
-    m_surface.is_sheet = thickness_by_area < 0 && m_surface.report.number_of_holes > 0;
+    m_surface.is_sheet = thickness_by_area < 0;
     if (!m_surface.is_sheet) {
       return;
     }
