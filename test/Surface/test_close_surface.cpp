@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,9 +118,7 @@ TEST(fill_cavities, leaves_the_body_as_it_is)
   EXPECT_EQ(components.number(), 1U);
   EXPECT_EQ(triangles.faces.size(), body.triangles.size());
   EXPECT_EQ(triangles.first_hole_filling_face, triangles.faces.size());
-  std::vector<Index> numbers(bubble.points.size());
-  std::iota(numbers.begin(), numbers.end(), Index(0));
-  EXPECT_EQ(filled.vertices, numbers);
+  EXPECT_EQ(filled.vertices, CSCD::internal::all_indices(bubble.points.size()));
   ASSERT_EQ(filled.old_number.size(), triangles.points.size());
   for (std::size_t i = 0; i < triangles.points.size(); ++i) {
     EXPECT_EQ(triangles.points[i], before.points[filled.old_number[i]]);

@@ -341,7 +341,8 @@ inline std::vector<Index> packed_once_at_narrow_holes(const Triangulated_solid& 
   const std::vector<Index>& packed = packing.packed();
   std::vector<float> max_length; // of loops that cross the separator
   for (const Index separator : packed) {
-    const float share = solid.is_inside(separators[separator].center) ? narrow_share : hollow_share;
+    const Solid_queries& body = solid.queries(solid.component(separators[separator].source));
+    const float share = body.is_inside(separators[separator].center) ? narrow_share : hollow_share;
     max_length.push_back(share * float(separators[separator].length));
   }
   Loops_across loops(solid.triangulation(), separators, packed);

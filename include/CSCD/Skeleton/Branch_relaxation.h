@@ -71,12 +71,13 @@ public:
   {
   }
 
-  /// The section through `point` perpendicular to `axis`, if it surrounds the point, its centroid is in it, and it is
-  /// about as large as expected and compact.
-  std::optional<Ball> operator()(const Vector3& point, const Vector3& axis, double radius)
+  /// The section of `component` through `point` perpendicular to `axis`, if it surrounds the point, its centroid is in
+  /// it, and it is about as large as expected and compact.
+  std::optional<Ball> operator()(Index component, const Vector3& point, const Vector3& axis, double radius)
   {
     const Vector3 aside = axis.cross(m_reference);
-    const auto hit = m_solid.queries().first_hit(point, aside.norm() > 0 ? aside.normalized() : axis.unitOrthogonal());
+    const auto hit =
+        m_solid.queries(component).first_hit(point, aside.norm() > 0 ? aside.normalized() : axis.unitOrthogonal());
     if (!hit || !m_section.cut_at_face(hit->face, axis, point, max_length * 2 * pi * radius) ||
         !is_in_outline(m_section.points(), point, axis)) {
       return std::nullopt;
@@ -164,8 +165,9 @@ private:
       return std::nullopt;
     }
     const Vector3 axis = way.normalized();
-    const std::optional<Ball> middle = node.is_on_sheet ? m_sheet_section(node.position, axis, node.radius)
-                                                        : m_body_section(node.position, axis, node.radius);
+    const std::optional<Ball> middle = node.is_on_sheet
+                                           ? m_sheet_section(node.component, node.position, axis, node.radius)
+                                           : m_body_section(node.component, node.position, axis, node.radius);
     const bool is_near = middle && (middle->center - node.position).norm() <= max_shift * node.radius;
     return is_near ? middle : std::nullopt;
   }
@@ -232,7 +234,8 @@ private:
   /// `point`, on sheets between their sides.
   Vector3 place(const Node& node, const Vector3& point) const
   {
-    return node.is_on_sheet ? middle_of_sheet(m_solid, point, node.radius).value_or(point) : point;
+    return node.is_on_sheet ? middle_of_sheet(m_solid.queries(node.component), point, node.radius).value_or(point)
+                            : point;
   }
 
   /// Whether no turn gets sharper than a right angle, and no edge leaves the body, if the node moves to `position`.

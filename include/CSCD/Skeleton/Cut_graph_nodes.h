@@ -128,6 +128,7 @@ public:
   {
     const Triangulated_surface& surface = m_cut.solid.triangulation();
     const std::vector<Edge_crossing>& crossings = m_cut.separator(i).crossings;
+    m_queries = &m_cut.solid.queries(m_cut.solid.component(m_cut.separator(i).source));
     std::vector<Vector3> outline;
     crossing_points(surface, crossings, outline);
     const Loops_across::Loop loop = m_loops.find(i, false, std::numeric_limits<float>::infinity());
@@ -151,7 +152,7 @@ private:
   /// The share of the cone from the center of `curve` inside the body.
   double inside_share(const std::vector<Vector3>& curve) const
   {
-    return span_inside_share(m_cut.solid, curve, measure_polygon(curve).center);
+    return span_inside_share(*m_queries, curve, measure_polygon(curve).center);
   }
 
   /// Points inside the body near those that divide the closed `curve` around a hole into parts of equal length; none
@@ -196,7 +197,7 @@ private:
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto free_way = [&](const Vector3& point, const Vector3& direction) {
-      const std::optional<Surface_hit> hit = m_cut.solid.queries().first_hit(point, direction);
+      const std::optional<Surface_hit> hit = m_queries->first_hit(point, direction);
       return hit ? hit->distance : infinity;
     };
     double forth = free_way(curve.center, axis);
@@ -219,15 +220,16 @@ private:
   {
     const Vector3 outwards = way.cross(curve.vector_area).normalized();
     const Vector3 place = point + curve.vector_area.norm() / curve.length * outwards;
-    const Surface_point foot = m_cut.solid.queries().closest_point(place);
-    const Vector3 inward = m_cut.solid.queries().inward_direction(foot, place);
+    const Surface_point foot = m_queries->closest_point(place);
+    const Vector3 inward = m_queries->inward_direction(foot, place);
     const double radius = curve.length / (2 * boost::math::double_constants::pi);
-    const std::optional<double> depth = depth_below(m_cut.solid, foot.point, inward, radius);
+    const std::optional<double> depth = depth_below(*m_queries, foot.point, inward, radius);
     return depth ? std::optional<Vector3>(foot.point + *depth * inward) : std::nullopt;
   }
 
   const Cut_solid& m_cut;
   Loops_across m_loops;
+  const Solid_queries* m_queries = nullptr; ///< of the component of the cycle
 };
 
 /// Adds the nodes of separators, joins them where a piece lies between two, and adds a junction in each piece that has
@@ -274,6 +276,7 @@ private:
       const Section_disc disc = section_disc(outline);
       const Index node = m_graph.add_node(disc.center, disc.radius());
       m_graph[node].pieces = {m_cut.cut_graph.sides(i).left, m_cut.cut_graph.sides(i).right};
+      m_graph[node].component = m_cut.solid.component(separator.source);
       place_on_sheet(m_cut.solid, separator, m_graph[node]);
     }
   }
@@ -317,11 +320,14 @@ private:
     const Vector3 position = weight > 0 ? Vector3(sum / weight) : m_pieces.point(*m_pieces[piece].begin());
     const Index node = m_graph.add_node(position, radius);
     m_graph[node].pieces = {piece};
+    m_graph[node].component = m_cut.around(piece).empty() ? no_index : m_graph[m_cut.around(piece).front()].component;
     join_separators(node, m_cut.around(piece));
     if (m_cut.around(piece).empty()) {
       const Index vertex = m_cut.solid.query_level().to_finest(*m_pieces[piece].begin());
+      m_graph[node].component = m_cut.solid.component(vertex);
       m_graph[node].is_on_sheet = m_cut.solid.side_of_sheet(vertex) != 0;
-      m_graph[node].radius = (m_cut.solid.queries().closest_point(position).point - position).norm();
+      const Solid_queries& queries = m_cut.solid.queries(m_graph[node].component);
+      m_graph[node].radius = (queries.closest_point(position).point - position).norm();
     }
     return node;
   }
@@ -357,8 +363,7 @@ private:
     Index last = i;
     Index nearest = i;
     for (std::size_t k = 1; k < points.size(); ++k) {
-      const Index next = m_graph.add_node(points[k], m_graph[i].radius);
-      m_graph.add_edge(last, next);
+      const Index next = m_graph.extend(last, points[k], m_graph[i].radius);
       last = next;
       if (node != no_index && m_graph.edge_length(node, next) < m_graph.edge_length(node, nearest)) {
         nearest = next;
@@ -382,7 +387,7 @@ private:
     const Vector3 aside = arc_share * way.norm() * (tangent(a) - tangent(b));
     const Vector3 point = (m_graph[a].position + m_graph[b].position) / 2 + aside;
     if (!m_graph[a].is_on_sheet && way.norm() >= min_bent_edge * radius && aside.norm() < max_bend * radius &&
-        m_cut.solid.is_inside(point)) {
+        m_cut.solid.queries(m_graph[a].component).is_inside(point)) {
       m_graph.split_edge(a, b, point, radius);
     }
   }

@@ -26,12 +26,12 @@ namespace CSCD::internal {
 
 /// How deep the middle of the body is below `point` of the surface, at most `max_depth`; none at a face without area,
 /// or where two lie upon each other. \param inward the direction, of unit length, or zero without an area
-inline std::optional<double> depth_below(const Triangulated_solid& solid, const Vector3& point, const Vector3& inward,
+inline std::optional<double> depth_below(const Solid_queries& queries, const Vector3& point, const Vector3& inward,
                                          double max_depth)
 {
   constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
   const std::optional<Surface_hit> hit =
-      inward.squaredNorm() > 0 ? solid.queries().first_hit(point + relative_offset * inward, inward) : std::nullopt;
+      inward.squaredNorm() > 0 ? queries.first_hit(point + relative_offset * inward, inward) : std::nullopt;
   return hit ? std::optional<double>(std::min(hit->distance / 2, max_depth)) : std::nullopt;
 }
 
@@ -48,10 +48,10 @@ public:
   }
 
   /// Points inside such that each sees the next, the first one `from` and the last one `to`; none, where no way was
-  /// found, as where components of different orientation overlap, or the ways before took too much work. \pre both are
-  /// inside
-  std::vector<Vector3> find(const Vector3& from, const Vector3& to)
+  /// found, or the ways before took too much work. \pre both are inside `component`
+  std::vector<Vector3> find(const Vector3& from, const Vector3& to, Index component)
   {
+    m_queries = &m_solid.queries(component);
     if (m_work_left == 0 || !trace_surface(from, to)) {
       return {};
     }
@@ -108,13 +108,13 @@ private:
   bool trace_surface(const Vector3& from, const Vector3& to)
   {
     m_starts.clear();
-    m_solid.crossings(from, to, m_crossings);
+    m_queries->crossings(from, to, m_crossings);
     if (m_crossings.size() < 2) {
       return false;
     }
     const Vector3 direction = (to - from).normalized();
-    const Surface_point leaving = m_solid.queries().closest_point(from + m_crossings.front() * direction);
-    const Surface_point entering = m_solid.queries().closest_point(from + m_crossings.back() * direction);
+    const Surface_point leaving = m_queries->closest_point(from + m_crossings.front() * direction);
+    const Surface_point entering = m_queries->closest_point(from + m_crossings.back() * direction);
     if (!search_faces(entering.face, leaving.face)) {
       return false;
     }
@@ -162,7 +162,7 @@ private:
   std::optional<Vector3> below(const Start& start, int halvings)
   {
     count_work();
-    const std::optional<double> depth = depth_below(m_solid, start.point, start.inward, m_max_depth);
+    const std::optional<double> depth = depth_below(*m_queries, start.point, start.inward, m_max_depth);
     return depth ? std::optional<Vector3>(start.point + std::ldexp(*depth, -halvings) * start.inward) : std::nullopt;
   }
 
@@ -170,9 +170,9 @@ private:
   bool sees(const Vector3& from, const Vector3& to)
   {
     count_work();
-    m_solid.crossings(from, to, m_crossings);
+    m_queries->crossings(from, to, m_crossings);
     if (m_crossings.empty()) {
-      m_solid.crossings(to, from, m_crossings);
+      m_queries->crossings(to, from, m_crossings);
     }
     return m_crossings.empty();
   }
@@ -188,11 +188,12 @@ private:
 
   const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;
-  Dijkstra_search m_search;        ///< over faces
-  std::vector<Index> m_entered;    ///< for every face, the halfedge of the next one on the way
-  std::vector<Start> m_starts;     ///< along the way on the surface
-  std::vector<double> m_crossings; ///< working memory
-  double m_max_depth = 0;          ///< of points of the way below the surface
+  const Solid_queries* m_queries = nullptr; ///< of the component of the way
+  Dijkstra_search m_search;                 ///< over faces
+  std::vector<Index> m_entered;             ///< for every face, the halfedge of the next one on the way
+  std::vector<Start> m_starts;              ///< along the way on the surface
+  std::vector<double> m_crossings;          ///< working memory
+  double m_max_depth = 0;                   ///< of points of the way below the surface
   std::size_t m_work_left;
 };
 
@@ -217,7 +218,7 @@ public:
       if (is_outside(node)) {
         const Vector3 start = m_graph.is_junction(node) ? m_graph.middle_of_neighbors(node) : m_graph[node].position;
         const std::optional<Vector3> place =
-            m_graph.is_junction(node) && m_surface.is_inside(start) ? start : middle_behind(start, node);
+            m_graph.is_junction(node) && body(node).is_inside(start) ? start : middle_behind(start, node);
         m_graph[node].position = place.value_or(m_graph[node].position);
       }
     }
@@ -234,10 +235,10 @@ public:
     }
   }
 
-  /// Whether the segment stays inside, if it starts there.
-  bool is_free(const Vector3& from, const Vector3& to)
+  /// Whether the segment stays inside the component of `node`, if it starts there.
+  bool is_free(Index node, const Vector3& from, const Vector3& to)
   {
-    m_surface.crossings(from, to, m_crossings);
+    body(node).crossings(from, to, m_crossings);
     return m_crossings.empty();
   }
   /// Whether the edge stays inside. At an opening, where no surface decides, it does.
@@ -245,7 +246,8 @@ public:
   {
     // Along a face, the answer may depend on the direction: it is always the same one.
     const auto [first, second] = std::minmax(a, b);
-    return m_graph[a].is_opening || m_graph[b].is_opening || is_free(m_graph[first].position, m_graph[second].position);
+    return m_graph[a].is_opening || m_graph[b].is_opening ||
+           is_free(a, m_graph[first].position, m_graph[second].position);
   }
 
   /// Writes to `report` how many nodes and edges are not wholly inside.
@@ -264,6 +266,16 @@ public:
   }
 
 private:
+  /// The body that `node` is to be inside: its component, where the surface has components.
+  const auto& body([[maybe_unused]] Index node) const
+  {
+    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      return m_surface.queries(m_graph[node].component);
+    } else {
+      return m_surface;
+    }
+  }
+
   /// How often an edge is bisected at points behind the surface that it meets.
   static constexpr int max_bends = 4;
   /// Shorter stretches outside count as rounding; relative to the diagonal of the bounding box.
@@ -276,16 +288,16 @@ private:
   bool is_outside(Index node) const
   {
     const Skeleton_builder::Node& its = m_graph[node];
-    return !its.is_removed() && !its.is_opening && (is_flat(node) || !m_surface.is_inside(its.position));
+    return !its.is_removed() && !its.is_opening && (is_flat(node) || !body(node).is_inside(its.position));
   }
 
   /// The middle of the body behind `point`, which is at `node` or on an edge there.
   std::optional<Vector3> middle_behind(const Vector3& point, Index node) const
   {
     if (m_graph[node].is_on_sheet) {
-      return middle_of_sheet(m_surface, point, m_graph[node].radius);
+      return middle_of_sheet(body(node), point, m_graph[node].radius);
     }
-    return is_flat(node) ? std::nullopt : m_surface.middle_behind(point);
+    return is_flat(node) ? std::nullopt : body(node).middle_behind(point);
   }
 
   /// The middle of the first stretch of the edge that is outside.
@@ -297,7 +309,7 @@ private:
     const Vector3& from = m_graph[a].position;
     const Vector3& to = m_graph[b].position;
     const double length = (to - from).norm();
-    m_surface.crossings(from, to, m_crossings);
+    body(a).crossings(from, to, m_crossings);
     m_crossings.push_back(length);
     bool is_stretch_outside = starts_outside;
     double last = 0;
@@ -346,10 +358,10 @@ private:
     const double length = m_graph.edge_length(a, b);
     for (double way = m_graph[b].radius; way > 0 && way < length; way *= 2) {
       const Vector3 point = here + way * ahead;
-      if (!is_free(here, point)) {
+      if (!is_free(a, here, point)) {
         return false;
       }
-      if (is_free(point, there)) {
+      if (is_free(a, point, there)) {
         m_graph.split_edge(a, b, point, mean_radius(a, b));
         return true;
       }
@@ -364,7 +376,7 @@ private:
       if (!m_way) {
         m_way.emplace(m_surface);
       }
-      const std::vector<Vector3> points = m_way->find(m_graph[a].position, m_graph[b].position);
+      const std::vector<Vector3> points = m_way->find(m_graph[a].position, m_graph[b].position, m_graph[a].component);
       const double radius = mean_radius(a, b);
       for (const Vector3& point : points) {
         a = m_graph.split_edge(a, b, point, radius);

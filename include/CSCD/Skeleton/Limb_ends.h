@@ -221,7 +221,7 @@ private:
     const Vector3 start = m_graph[base].position;
     // From outside, tips would lead somewhere into the wall of a hollow body; from a component without thickness, into
     // another component.
-    if (number_of_ways > 1 || !(m_graph[base].radius > min_thickness) || !m_cut.solid.is_inside(start)) {
+    if (number_of_ways > 1 || !(m_graph[base].radius > min_thickness) || !body(base).is_inside(start)) {
       return;
     }
     if (!openings.empty()) {
@@ -256,14 +256,13 @@ private:
     if ((farthest - start).norm() < min_way_to_lobe * reach) {
       return false;
     }
-    const std::optional<Vector3> middle = m_cut.solid.middle_behind(farthest);
+    const std::optional<Vector3> middle = body(base).middle_behind(farthest);
     const double radius = middle ? (farthest - *middle).norm() : 0;
     if (radius < min_radius_of_lobe * reach) {
       return false;
     }
-    const Index lobe = m_graph.add_node(*middle, radius);
+    const Index lobe = m_graph.extend(base, *middle, radius);
     m_graph[lobe].pieces = {piece};
-    m_graph.add_edge(base, lobe);
     add_tip(piece, lobe, (farthest - *middle) / radius);
     return true;
   }
@@ -277,14 +276,15 @@ private:
     const double depth = tip_depth * radius;
     const double length = reach - (reach > depth ? depth : depth / 2);
     if (length >= min_tip_length * radius) {
-      const Index tip = m_graph.add_node(start + length * direction, radius);
+      const Index tip = m_graph.extend(base, start + length * direction, radius);
       m_graph[tip].pieces = {piece};
-      m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
-      m_graph.add_edge(base, tip);
     } else if (length > 0 && m_graph.degree(base) == 1) {
       m_graph[base].position = start + length * direction;
     }
   }
+
+  /// The component that `node` is in.
+  const Solid_queries& body(Index node) const { return m_cut.solid.queries(m_graph[node].component); }
 
   double distance_to_end(Index piece, Index base, const Vector3& direction) const
   {
@@ -292,7 +292,7 @@ private:
     if (m_graph[base].is_on_sheet) {
       return m_pieces.extent(piece, start, direction); // the sheet may bend away from a ray
     }
-    const std::optional<Surface_hit> hit = m_cut.solid.queries().first_hit(start, direction);
+    const std::optional<Surface_hit> hit = body(base).first_hit(start, direction);
     return hit ? hit->distance : 0;
   }
 

@@ -73,11 +73,11 @@ inline std::optional<Vector3> middle_of_open_curve(const Triangulated_solid& sol
 
 /// The middle between the sides of a sheet, behind the surface nearest to `point`.
 /// \param radius half of the width of the sheet there: a middle farther away is that of another body
-template <class Surface>
-std::optional<Vector3> middle_of_sheet(const Surface& surface, const Vector3& point, double radius)
+template <class Body>
+std::optional<Vector3> middle_of_sheet(const Body& body, const Vector3& point, double radius)
 {
   constexpr double max_shift = 2; // relative to the radius
-  const std::optional<Vector3> middle = surface.middle_behind(point);
+  const std::optional<Vector3> middle = body.middle_behind(point);
   return middle && (*middle - point).norm() <= max_shift * radius ? middle : std::nullopt;
 }
 
@@ -89,10 +89,10 @@ public:
 
   /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, and half of
   /// its width, if that is about as expected.
-  std::optional<Ball> operator()(const Vector3& point, const Vector3& axis, double expected_half_width)
+  std::optional<Ball> operator()(Index component, const Vector3& point, const Vector3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides
-    const Index face = m_solid.queries().closest_point(point).face;
+    const Index face = m_solid.queries(component).closest_point(point).face;
     // Where edges are in the plane, as on grids, it may miss the face next to them.
     const bool is_cut = m_section.cut_at_face(face, axis, point, max_length * expected_length) ||
                         m_section.cut_at_vertex(nearest_corner(face, point, axis), axis, max_length * expected_length);
@@ -146,7 +146,8 @@ inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
       continue;
     }
     graph[node].is_on_sheet = true;
-    if (const auto middle = middle_of_sheet(solid, graph[node].position, graph[node].radius)) {
+    if (const auto middle =
+            middle_of_sheet(solid.queries(graph[node].component), graph[node].position, graph[node].radius)) {
       graph[node].position = *middle;
     }
   }
@@ -154,9 +155,9 @@ inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
 
 /// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
 /// where that is not found.
-inline std::optional<Vector3> point_in_sheet(const Triangulated_solid& solid, const Vector3& point)
+inline std::optional<Vector3> point_in_sheet(const Solid_queries& sheet, const Vector3& point)
 {
-  return solid.is_inside(point) ? std::optional<Vector3>(point) : solid.middle_behind(point);
+  return sheet.is_inside(point) ? std::optional<Vector3>(point) : sheet.middle_behind(point);
 }
 
 /// Points of the rims of all sheets, as far from each other as their vertices. Linear.
@@ -230,9 +231,7 @@ private:
       }
       step = std::min(step, step_length * m_here.radius);
       if (tip == no_index) {
-        tip = m_graph.add_node(m_here.center, m_here.radius);
-        m_graph[tip].is_on_sheet = true;
-        m_graph.add_edge(last, tip);
+        tip = m_graph.extend(last, m_here.center, m_here.radius);
       }
       m_graph[tip].position = m_here.center;
       m_graph[tip].radius = m_here.radius;
@@ -246,11 +245,12 @@ private:
   /// the end, which need not be perpendicular to the branch. \return false if the sheet ends before
   bool advance(double step)
   {
-    const std::optional<Vector3> point = point_in_sheet(m_solid, m_here.center + step * m_direction);
+    const std::optional<Vector3> point =
+        point_in_sheet(m_solid.queries(m_component), m_here.center + step * m_direction);
     if (!point || m_direction.dot(*point - m_here.center) < min_progress * step) {
       return false;
     }
-    const std::optional<Ball> middle = m_section(*point, m_direction, m_here.radius);
+    const std::optional<Ball> middle = m_section(m_component, *point, m_direction, m_here.radius);
     const double shift = middle ? (middle->center - *point).norm() : m_here.radius;
     const double loss = middle ? m_here.radius - middle->radius : 0;
     // A middle that is farther aside than the step is long is that of a section along the border at the end.
@@ -268,6 +268,7 @@ private:
   bool start_at(Index tip)
   {
     m_here = {m_graph[tip].position, m_graph[tip].radius};
+    m_component = m_graph[tip].component;
     Index before = tip;
     Index node = m_graph[tip].neighbors.front();
     while (m_graph.is_regular(node) && m_graph.edge_length(tip, node) < m_here.radius) {
@@ -288,12 +289,12 @@ private:
   /// its middle.
   void turn_to_shortest_section()
   {
-    const Vector3 aside =
-        m_direction.cross(m_solid.query_surface().face_vector(m_solid.queries().closest_point(m_here.center).face))
-            .normalized();
+    const Index face = m_solid.queries(m_component).closest_point(m_here.center).face;
+    const Vector3 aside = m_direction.cross(m_solid.query_surface().face_vector(face)).normalized();
     std::array<double, 3> half_width{};
     for (std::size_t k = 0; k < half_width.size(); ++k) {
-      const auto middle = m_section(m_here.center, m_direction + (double(k) - 1) * turn * aside, m_here.radius);
+      const auto middle =
+          m_section(m_component, m_here.center, m_direction + (double(k) - 1) * turn * aside, m_here.radius);
       if (!middle) {
         return;
       }
@@ -303,7 +304,7 @@ private:
     const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
     const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
     const Vector3 direction = (m_direction + change * turn * aside).normalized();
-    const std::optional<Ball> middle = m_section(m_here.center, direction, m_here.radius);
+    const std::optional<Ball> middle = m_section(m_component, m_here.center, direction, m_here.radius);
     if (middle && (middle->center - m_here.center).norm() < m_here.radius) {
       m_here = *middle;
       m_direction = direction;
@@ -313,7 +314,8 @@ private:
   const Triangulated_solid& m_solid;
   Skeleton_builder& m_graph;
   Sheet_section m_section;
-  Ball m_here; ///< where the branch has been led to, with half of the width of the sheet
+  Index m_component = 0; ///< of the branch
+  Ball m_here;           ///< where the branch has been led to, with half of the width of the sheet
   Vector3 m_direction = Vector3::Zero();
 };
 

@@ -50,6 +50,8 @@ public:
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
+    /// The component of the surface that the node is in; `no_index` where queries do not tell components apart.
+    Index component = no_index;
     /// Whether the node is in the middle of a border of the input where a limb ends; its radius is that of the border.
     bool is_opening = false;
     /// Whether the node lies in the middle of a sheet, which has no inside to be centered in.
@@ -87,6 +89,17 @@ public:
     replace_one(m_nodes[b].neighbors, a, node);
     m_nodes[node].neighbors = {a, b};
     m_nodes[node].is_on_sheet = m_nodes[a].is_on_sheet;
+    m_nodes[node].component = m_nodes[a].component;
+    return node;
+  }
+
+  /// Adds a node that is joined to `from`, and on its sheet. \return its number
+  Index extend(Index from, const Vector3& position, double radius)
+  {
+    const Index node = add_node(position, radius);
+    m_nodes[node].is_on_sheet = m_nodes[from].is_on_sheet;
+    m_nodes[node].component = m_nodes[from].component;
+    add_edge(from, node);
     return node;
   }
 

@@ -52,7 +52,7 @@ inline void merge_junctions(Skeleton_builder& graph)
 /// Grows an inscribed ball from `start`: steps away from the nearest bounding point as long as the ball gets larger,
 /// for at most `max_shift` in all.
 /// \param rim points of the borders if the ball is to be in a sheet; empty in a body
-inline Ball inscribed_ball(const Triangulated_solid& solid, const std::vector<Vector3>& rim, const Vector3& start,
+inline Ball inscribed_ball(const Solid_queries& body, const std::vector<Vector3>& rim, const Vector3& start,
                            double max_shift)
 {
   // More steps move a junction by less than a hundredth of its radius.
@@ -62,15 +62,14 @@ inline Ball inscribed_ball(const Triangulated_solid& solid, const std::vector<Ve
     const auto is_nearer = [&](const Vector3& a, const Vector3& b) {
       return (a - point).squaredNorm() < (b - point).squaredNorm();
     };
-    return rim.empty() ? solid.queries().closest_point(point).point
-                       : *std::min_element(rim.begin(), rim.end(), is_nearer);
+    return rim.empty() ? body.closest_point(point).point : *std::min_element(rim.begin(), rim.end(), is_nearer);
   };
   Vector3 touched = nearest(start);
   Ball ball{start, (start - touched).norm()};
   double step = first_step;
   for (int i = 0; i < number_of_steps && ball.radius > 0; ++i) {
     const Vector3 next = ball.center + step * (ball.center - touched);
-    const std::optional<Vector3> candidate = rim.empty() ? next : point_in_sheet(solid, next);
+    const std::optional<Vector3> candidate = rim.empty() ? next : point_in_sheet(body, next);
     const Vector3 candidate_touched = nearest(candidate.value_or(start));
     const double radius = candidate ? (*candidate - candidate_touched).norm() : 0;
     if (radius <= ball.radius || (*candidate - start).norm() > max_shift) {
@@ -90,7 +89,8 @@ inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& 
   const std::vector<Vector3> no_rim;
   std::vector<Vector3> rim; // of sheets; empty until there is a junction on one
   for (Index node = 0; node < graph.size(); ++node) {
-    if (!graph.is_junction(node) || !solid.is_inside(graph[node].position)) {
+    const Solid_queries& body = solid.queries(graph[node].component);
+    if (!graph.is_junction(node) || !body.is_inside(graph[node].position)) {
       continue;
     }
     double max_shift = 0;
@@ -100,8 +100,8 @@ inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& 
     if (graph[node].is_on_sheet && rim.empty()) {
       rim = rim_points(solid);
     }
-    const Ball ball = inscribed_ball(solid, graph[node].is_on_sheet ? rim : no_rim, graph[node].position, max_shift);
-    if (solid.is_inside(ball.center)) {
+    const Ball ball = inscribed_ball(body, graph[node].is_on_sheet ? rim : no_rim, graph[node].position, max_shift);
+    if (body.is_inside(ball.center)) {
       graph[node].position = ball.center;
       graph[node].radius = ball.radius;
     }
@@ -227,8 +227,9 @@ private:
     const double gap = std::max((on_a - on_b).norm(), (way - along_stem * stem.direction).norm());
     const bool is_near =
         gap <= max_gap * stem.radius && way.norm() >= min_way * stem.radius && way.norm() <= max_way * stem.radius;
-    return is_near && along_stem > 0 && along_a < 0 && along_b < 0 && m_routing.is_free(place, a.start) &&
-                   m_routing.is_free(place, b.start)
+    return is_near && along_stem > 0 && along_a < 0 && along_b < 0 &&
+                   m_routing.is_free(a.nodes.back(), place, a.start) &&
+                   m_routing.is_free(b.nodes.back(), place, b.start)
                ? std::optional<Vector3>(place)
                : std::nullopt;
   }
@@ -247,7 +248,7 @@ private:
       passed.push_back(node);
       last = std::exchange(node, m_graph.other_neighbor(node, last));
     }
-    return m_routing.is_free(place, m_graph[node].position) ? std::optional(passed) : std::nullopt;
+    return m_routing.is_free(node, place, m_graph[node].position) ? std::optional(passed) : std::nullopt;
   }
 
   /// Moves `junction` to `place`, and the first nodes of the branches to straight lines from there. The pieces of the

@@ -27,16 +27,32 @@ class Solid_queries
 public:
   /// Builds the hierarchy in O(n log n).
   /// \param surface is referred to and must outlive this object
-  explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface), m_box(surface.points())
+  explicit Solid_queries(const Triangulated_surface& surface)
+      : Solid_queries(surface, face_boxes(surface), all_indices(surface.number_of_faces()))
   {
+  }
+  /// The same for the body that `faces` bound, those of a component.
+  /// \param boxes of all faces, see `face_boxes()`
+  template <class Range>
+  Solid_queries(const Triangulated_surface& surface, const std::vector<Bounding_box>& boxes, const Range& faces)
+      : m_surface(surface), m_tree(boxes, faces, faces_of_leaf)
+  {
+    for (const Index face : faces) {
+      m_box.extend(boxes[face]);
+    }
     m_offset = relative_offset * m_box.diagonal();
+  }
+  explicit Solid_queries(Triangulated_surface&&) = delete;
+
+  /// The boxes of the faces of `surface`.
+  static std::vector<Bounding_box> face_boxes(const Triangulated_surface& surface)
+  {
     std::vector<Bounding_box> boxes(surface.number_of_faces());
     for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
       boxes[Triangulated_surface::face(h)].extend(surface.point(surface.origin(h)));
     }
-    m_tree = Box_tree(boxes, faces_of_leaf);
+    return boxes;
   }
-  explicit Solid_queries(Triangulated_surface&&) = delete;
 
   /// Whether the body holds `point`: whether the surface winds around it. Where bodies overlap, or the surface
   /// intersects itself, the inside of several sheets is inside.

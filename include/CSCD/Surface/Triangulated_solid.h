@@ -74,6 +74,11 @@ public:
   CGAL::Iterator_range<const Index*> input_vertices(Index vertex) const { return m_input_vertices[vertex]; }
   /// The number of connected components.
   std::size_t number_of_components() const { return m_report.number_of_surface_components; }
+  /// The component of `vertex`.
+  Index component(Index vertex) const
+  {
+    return Index(std::upper_bound(m_first_vertices.begin(), m_first_vertices.end(), vertex) - m_first_vertices.begin());
+  }
   /// The number of handles, over all components.
   std::size_t genus() const { return *m_report.genus; }
   /// From the coordinates of the triangles as they were given.
@@ -105,6 +110,15 @@ public:
     std::call_once(m_queries_built, [this] { m_queries.emplace(query_surface()); });
     return *m_queries;
   }
+  /// The same for the body that `component` alone bounds; if it is `no_index`, for all.
+  const internal::Solid_queries& queries(Index component) const
+  {
+    if (m_first_vertices.empty() || component == no_index) {
+      return queries();
+    }
+    std::call_once(m_component_queries_built, [this] { build_component_queries(); });
+    return m_component_queries[component];
+  }
   /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
   std::optional<Vector3> middle_behind(const Vector3& point) const { return queries().middle_behind(point); }
   /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
@@ -127,16 +141,21 @@ private:
   /// Adds warnings about the input to the report.
   void warn(std::size_t number_of_reversed_components);
 
+  void build_component_queries() const;
+
   /// Of the face nearest to `place`, the vertex that is nearest.
   Index nearest_vertex(const Vector3& place) const;
 
   std::unique_ptr<const Surface_levels> m_levels;
   internal::Compressed_rows<Index> m_input_vertices; ///< of every vertex
+  std::vector<Index> m_first_vertices;               ///< of all components except the first, ascending
   std::vector<signed char> m_side_of_sheet;          ///< of every vertex; empty without sheets
   Normalization m_normalization;
   Skeletonization_report m_report;
   mutable std::once_flag m_queries_built;
   mutable std::optional<const internal::Solid_queries> m_queries;
+  mutable std::once_flag m_component_queries_built;
+  mutable std::vector<internal::Solid_queries> m_component_queries; ///< of each component, if there are several
 };
 
 } // namespace CSCD

@@ -120,6 +120,11 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
     internal::extend_sides(triangles, m_side_of_sheet);
   }
   const std::vector<Index> order = internal::canonical_order(triangles, pairing, components);
+  for (Index i = 1; components.number() > 1 && i < order.size(); ++i) {
+    if (components.component_of_vertex(pairing, order[i]) != components.component_of_vertex(pairing, order[i - 1])) {
+      m_first_vertices.push_back(i);
+    }
+  }
   pairing = {}; // before memory is allocated for the pairing of the new numbers
   renumber(triangles, order);
   input_number = internal::reordered(input_number, order);
@@ -152,6 +157,21 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Clock::time_point start, Chec
   warn(number_of_reversed_components);
   m_report.seconds[std::size_t(Skeletonization_stage::compile_surface)] =
       std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+CSCD_INLINE void Triangulated_solid::build_component_queries() const
+{
+  const Triangulated_surface& surface = query_surface();
+  const internal::Compressed_rows<Index> faces(number_of_components(), [&](const auto& add) {
+    for (Index face = 0; face < surface.number_of_faces(); ++face) {
+      add(component(query_level().to_finest(surface.origin(3 * face))), face);
+    }
+  });
+  const std::vector<internal::Bounding_box> boxes = internal::Solid_queries::face_boxes(surface);
+  m_component_queries.reserve(number_of_components());
+  for (Index c = 0; c < number_of_components(); ++c) {
+    m_component_queries.emplace_back(surface, boxes, faces[c]);
+  }
 }
 
 CSCD_INLINE void Triangulated_solid::warn(std::size_t number_of_reversed_components)

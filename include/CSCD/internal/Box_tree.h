@@ -7,6 +7,7 @@
 #define CSCD_INTERNAL_BOX_TREE_H
 
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <array>
@@ -65,15 +66,22 @@ public:
   /// O(n log n).
   /// \param boxes the boxes of the objects
   /// \param max_leaf_size the objects that a leaf may hold: fewer leaves are built faster
-  explicit Box_tree(const std::vector<Bounding_box>& boxes, Index max_leaf_size = 1) : m_max_leaf_size(max_leaf_size)
+  explicit Box_tree(const std::vector<Bounding_box>& boxes, Index max_leaf_size = 1)
+      : Box_tree(boxes, all_indices(boxes.size()), max_leaf_size)
+  {
+  }
+  /// The same over some of the objects.
+  template <class Range>
+  Box_tree(const std::vector<Bounding_box>& boxes, const Range& objects, Index max_leaf_size)
+      : m_max_leaf_size(max_leaf_size)
   {
     std::vector<Entry> entries;
-    entries.reserve(boxes.size());
-    for (Index i = 0; i < boxes.size(); ++i) {
+    entries.reserve(objects.size());
+    for (const Index i : objects) {
       entries.push_back({(boxes[i].min() + boxes[i].max()) / 2, i});
     }
-    m_objects.reserve(boxes.size());
-    m_root = boxes.empty() ? no_index : build(boxes, entries, 0, Index(boxes.size())).first;
+    m_objects.reserve(entries.size());
+    m_root = entries.empty() ? no_index : build(boxes, entries, 0, Index(entries.size())).first;
     m_leaf_begin.push_back(Index(m_objects.size()));
   }
 

@@ -95,6 +95,14 @@ std::vector<Value> reordered(const std::vector<Value>& values, const std::vector
   return result;
 }
 
+/// 0 to `n` - 1.
+inline std::vector<Index> all_indices(std::size_t n)
+{
+  std::vector<Index> result(n);
+  std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
 /// A set of indices that is emptied in constant time, so that local work costs nothing of the size of the surface.
 class Epoch_marks
 {
@@ -131,10 +139,7 @@ class Disjoint_sets
 {
 public:
   /// Makes a set of each index from 0 to `size` - 1.
-  explicit Disjoint_sets(std::size_t size = 0) : m_parent(size), m_rank(size, 0)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), Index(0));
-  }
+  explicit Disjoint_sets(std::size_t size = 0) : m_parent(all_indices(size)), m_rank(size, 0) {}
 
   /// Likewise, then joins the ends of each of `edges`.
   template <class Edges>
