@@ -12,6 +12,7 @@
 #include <CSCD/Published/Quotient_skeleton.h>
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -21,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -34,11 +34,10 @@ class Graph_search
 {
 public:
   Graph_search(const Spatial_graph& graph, const Options& settings)
-      : m_graph(graph), m_settings(settings), m_generator(settings.random_seed), m_order(graph.number_of_vertices()),
-        m_touches(graph.number_of_vertices(), 0),
+      : m_graph(graph), m_settings(settings), m_generator(settings.random_seed),
+        m_order(all_indices(graph.number_of_vertices())), m_touches(graph.number_of_vertices(), 0),
         m_for_each([this] { return std::make_unique<Graph_separator_finder>(m_graph); }, settings.number_of_threads)
   {
-    std::iota(m_order.begin(), m_order.end(), Index(0));
     // std::shuffle may differ between standard libraries; Boost's distribution does not.
     for (std::size_t i = m_order.size(); i > 1; --i) {
       std::swap(m_order[i - 1], m_order[boost::random::uniform_int_distribution<std::size_t>(0, i - 1)(m_generator)]);

@@ -19,6 +19,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -32,7 +33,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -224,8 +224,7 @@ public:
   Source_sequence(const Surface_levels& levels, unsigned random_seed)
   {
     const Surface_level& level = levels.precise();
-    m_candidates.resize(level.surface.number_of_vertices());
-    std::iota(m_candidates.begin(), m_candidates.end(), Index(0));
+    m_candidates = all_indices(level.surface.number_of_vertices());
     boost::random::mt19937 scatter;
     shuffle(0, m_candidates.size(), scatter);
     boost::random::mt19937 generator(random_seed);

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -103,8 +102,7 @@ public:
   /// All points, sorted by edges, and along these. O(m log m).
   std::vector<Index> points_along_edges() const
   {
-    std::vector<Index> result(m_points.size());
-    std::iota(result.begin(), result.end(), Index(0));
+    std::vector<Index> result = all_indices(m_points.size());
     std::sort(result.begin(), result.end(), [&](Index a, Index b) {
       return m_points[a].edge != m_points[b].edge ? m_points[a].edge < m_points[b].edge
                                                   : is_before_on_edge(m_points[a], m_points[b]);

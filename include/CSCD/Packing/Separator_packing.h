@@ -13,11 +13,11 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -223,9 +223,8 @@ class Disjoint_separators
 public:
   /// Prepares to pack `separators`; both the surface and the separators are referred to.
   Disjoint_separators(const Triangulated_surface& surface, const std::vector<Separator>& separators)
-      : m_separators(separators), m_arrangement(surface), m_order(separators.size())
+      : m_separators(separators), m_arrangement(surface), m_order(all_indices(separators.size()))
   {
-    std::iota(m_order.begin(), m_order.end(), Index(0));
     // Costs are compared in single precision, so that rounding does not order equal ones.
     std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) {
       return float(separator_cost(separators[a])) < float(separator_cost(separators[b]));

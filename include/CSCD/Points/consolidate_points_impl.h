@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -195,9 +194,7 @@ private:
     std::vector<Index> result = lonely_of(places);
     const bool are_few = double(result.size()) <= part_of_few * double(places.size());
     if (!result.empty() && (!are_few || m_cloud.points.size() <= sample_around_outliers)) {
-      std::vector<Index> all(m_cloud.points.size());
-      std::iota(all.begin(), all.end(), Index(0));
-      result = lonely_of(all);
+      result = lonely_of(all_indices(m_cloud.points.size()));
     }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -244,8 +243,7 @@ inline std::vector<Index> canonical_order(const Indexed_triangles& triangles, co
     return std::tuple(-float(components.measures[c].area), -float(roots.squared_distance[c]), root.x(), root.y(),
                       root.z());
   };
-  std::vector<Index> sorted(components.number());
-  std::iota(sorted.begin(), sorted.end(), Index(0));
+  std::vector<Index> sorted = all_indices(components.number());
   std::sort(sorted.begin(), sorted.end(), [&key](Index c, Index d) { return key(c) < key(d); });
 
   std::vector<Index> result;

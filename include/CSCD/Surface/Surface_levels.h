@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -206,8 +206,7 @@ private:
 
   void collapse_others(unsigned number_of_threads)
   {
-    m_parent.resize(m_status.size());
-    std::iota(m_parent.begin(), m_parent.end(), Index(0));
+    m_parent = all_indices(m_status.size());
     for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch& scratch) {
       return m_status[vertex] != Status::open || m_degree[vertex] < 3 || collapse_if_possible(vertex, block, scratch);
     });
