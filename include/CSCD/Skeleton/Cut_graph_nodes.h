@@ -326,8 +326,11 @@ private:
       const Index vertex = m_cut.solid.query_level().to_finest(*m_pieces[piece].begin());
       m_graph[node].component = m_cut.solid.component(vertex);
       m_graph[node].is_on_sheet = m_cut.solid.side_of_sheet(vertex) != 0;
-      const Solid_queries& queries = m_cut.solid.queries(m_graph[node].component);
-      m_graph[node].radius = (queries.closest_point(position).point - position).norm();
+      // Of a square sheet, which has two sides, half of the width.
+      const double half_width = std::sqrt(m_cut.cut_graph.pieces()[piece].area / 8);
+      const Solid_queries& body = m_cut.solid.queries(m_graph[node].component);
+      m_graph[node].radius =
+          m_graph[node].is_on_sheet ? half_width : (body.closest_point(position).point - position).norm();
     }
     return node;
   }

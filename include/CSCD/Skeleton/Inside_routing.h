@@ -276,8 +276,9 @@ private:
     }
   }
 
-  /// How often an edge is bisected at points behind the surface that it meets.
-  static constexpr int max_bends = 4;
+  /// How often an edge is bisected at points behind the surface that it meets: at a crease of a sheet, until its parts
+  /// are about as short as the sheet is thick.
+  static constexpr int max_bends = 7;
   /// Shorter stretches outside count as rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
