@@ -171,6 +171,30 @@ TEST_F(Open_separators, are_found_beside_a_body)
   EXPECT_LT(m_report.number_of_open_separators, m_report.number_of_packed_separators);
 }
 
+/// Fronts from the border of a square meet at its diagonals, where edges lead to the middle.
+TEST_F(Open_separators, are_sought_on_squares)
+{
+  Shape square;
+  square.points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}};
+  square.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  square.number_of_border_cycles = 1;
+  skeletonize(CSCD::test::midpoint_subdivided(square, 3));
+  EXPECT_EQ(m_report.number_of_sheets, 1u);
+  EXPECT_EQ(m_report.number_of_nodes_outside, 0u);
+}
+
+TEST_F(Open_separators, of_bent_sheets_of_few_faces_stay_in_them)
+{
+  std::vector<Shape> shapes{CSCD::test::capsule(8, 1, 24)};
+  for (int i = 0; i < 40; ++i) {
+    shapes.push_back(CSCD::test::internal::grid_sheet("roof", 2, 1, false, [i](double u, double v) {
+      return Triple{0.2 * i - 4 + 0.06 * u, 2 + 0.04 * v * (1 + u), 0.06 * std::fabs(u - 0.5)};
+    }));
+  }
+  skeletonize(CSCD::test::merged("roofs", shapes));
+  EXPECT_EQ(m_report.number_of_nodes_outside, 0u);
+}
+
 /// Single faces, pairs, and sheets without a vertex inside.
 TEST_F(Open_separators, hold_the_invariants_on_the_smallest_sheets)
 {

@@ -66,19 +66,6 @@ struct Fixture
   Geodesic_polar_coordinates front;
 };
 
-TEST(Geodesic_polar_coordinates, is_exact_on_a_plane)
-{
-  Fixture fixture(CSCD::test::subdivided_cube(5));
-  const Vector3 center(0.5, 0.5, 1);
-  const Index source = CSCD::test::nearest_vertex(fixture.surface, center);
-  const double error = fixture.max_relative_error(source, [&](Index vertex) {
-    const Vector3 offset = fixture.surface.point(vertex) - center;
-    return offset.z() == 0 ? offset.norm() : 0.;
-  });
-  // Single precision, added up over a few dozen triangles.
-  EXPECT_LT(error, 1e-5);
-}
-
 TEST(Geodesic_polar_coordinates, is_nearly_exact_on_a_cylinder)
 {
   Fixture fixture(CSCD::test::tube(6, 1, 48, CSCD::test::Tube_end::flat));

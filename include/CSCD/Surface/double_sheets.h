@@ -33,6 +33,7 @@ struct Border_cycle
   std::vector<Index> halfedges; ///< in order against their direction
   double length = 0;
   bool is_wide = true; ///< whether open separators end there
+  bool is_rim = false; ///< whether it is the longest one of a flat component
 };
 
 /// Finds the wide borders of a surface and the components that are sheets.
@@ -65,6 +66,7 @@ public:
   /// Chooses sheets by their shape; O(n log n).
   void choose()
   {
+    mark_rims();
     find_meetings();
     choose_wide();
     if (std::none_of(m_borders.begin(), m_borders.end(), [](const Border_cycle& border) { return border.is_wide; })) {
@@ -85,6 +87,9 @@ public:
     for (Index c = 0; c < area.size(); ++c) {
       m_is_sheet[c] = wide_area[c] > 0 && wide_area[c] >= min_wide_share * area[c] ? 1 : 0;
     }
+    for (const Border_cycle& border : m_borders) {
+      m_is_sheet[component(origin(border.halfedges.front()))] |= char(border.is_rim);
+    }
   }
 
   const std::vector<Border_cycle>& borders() const { return m_borders; }
@@ -98,7 +103,13 @@ private:
   /// A border is wide if it is this long, relative to the loops across it: a flat disc has 1.57, a hemisphere 1.22, a
   /// square 2; a tube, open at both ends and of three radii, 1.05.
   static constexpr double min_border_length = 1.5;
-  /// A component is a sheet if this share of its area is as near to wide borders ...
+  /// A component is flat if the sum of the area vectors of its faces is at least as long as this share of its area, as
+  /// of a cap of a sphere up to 25 degrees from its middle, ...
+  static constexpr double min_flatness = 0.95;
+  /// ... and the squared length of its border at most this, relative to its area: of a square 16. Fronts in a square
+  /// meet at corners, nearly without a loop; in longer flat components, loops decide.
+  static constexpr double max_squared_length = 20;
+  /// A component is a sheet if it is flat, or this share of its area is as near to wide borders ...
   static constexpr double min_wide_share = 0.75;
   /// ... as this, relative to half of the largest width of loops across them.
   static constexpr double max_distance = 1.25;
@@ -139,12 +150,34 @@ private:
     }
   }
 
+  /// Finds the longest border of each flat component.
+  void mark_rims()
+  {
+    std::vector<double> area(m_triangles.points.size(), 0);
+    std::vector<Vector3> vector(m_triangles.points.size(), Vector3::Zero());
+    for (const auto& [a, b, c] : m_triangles.faces) {
+      area[component(a)] += triangle_area(point(a), point(b), point(c));
+      vector[component(a)] += triangle_vector(point(a), point(b), point(c)) / 2;
+    }
+    std::vector<Border_cycle*> longest(m_triangles.points.size(), nullptr);
+    for (Border_cycle& border : m_borders) {
+      Border_cycle*& other = longest[component(origin(border.halfedges.front()))];
+      other = other == nullptr || border.length > other->length ? &border : other;
+    }
+    for (Index c = 0; c < longest.size(); ++c) {
+      if (longest[c] != nullptr) {
+        longest[c]->is_rim = vector[c].norm() >= min_flatness * area[c] &&
+                             longest[c]->length * longest[c]->length <= max_squared_length * area[c];
+      }
+    }
+  }
+
   /// Keeps wide borders that are also wide by the loops across them.
   void choose_wide()
   {
     for (Index i = 0; i < m_borders.size(); ++i) {
-      m_borders[i].is_wide =
-          m_borders[i].is_wide && m_loop_length[i] > 0 && m_borders[i].length >= min_border_length * m_loop_length[i];
+      m_borders[i].is_wide = m_borders[i].is_rim || (m_borders[i].is_wide && m_loop_length[i] > 0 &&
+                                                     m_borders[i].length >= min_border_length * m_loop_length[i]);
     }
   }
 
