@@ -320,9 +320,10 @@ private:
     const Vector3 position = weight > 0 ? Vector3(sum / weight) : m_pieces.point(*m_pieces[piece].begin());
     const Index node = m_graph.add_node(position, radius);
     m_graph[node].pieces = {piece};
-    m_graph[node].component = m_cut.around(piece).empty() ? no_index : m_graph[m_cut.around(piece).front()].component;
-    join_separators(node, m_cut.around(piece));
-    if (m_cut.around(piece).empty()) {
+    if (!m_cut.around(piece).empty()) {
+      m_graph[node].component = m_graph[m_cut.around(piece).front()].component;
+      join_separators(node, m_cut.around(piece));
+    } else {
       const Index vertex = m_cut.solid.query_level().to_finest(*m_pieces[piece].begin());
       m_graph[node].component = m_cut.solid.component(vertex);
       m_graph[node].is_on_sheet = m_cut.solid.side_of_sheet(vertex) != 0;

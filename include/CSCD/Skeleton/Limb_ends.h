@@ -190,6 +190,7 @@ private:
       const Vector3 position = border.centroid - opening_depth * border.radius * border.normal;
       const Index opening = m_graph.add_node(position, border.radius);
       m_graph[opening].is_opening = true;
+      m_graph[opening].component = m_graph[last].component;
       m_graph.add_edge(last, opening);
     }
   }

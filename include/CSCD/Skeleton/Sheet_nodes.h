@@ -87,8 +87,8 @@ class Sheet_section
 public:
   explicit Sheet_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
 
-  /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, and half of
-  /// its width, if that is about as expected.
+  /// The middle of the open section of the sheet `component` with the plane through `point` perpendicular to `axis`,
+  /// and half of its width, if that is about as expected.
   std::optional<Ball> operator()(Index component, const Vector3& point, const Vector3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides

@@ -89,8 +89,11 @@ inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& 
   const std::vector<Vector3> no_rim;
   std::vector<Vector3> rim; // of sheets; empty until there is a junction on one
   for (Index node = 0; node < graph.size(); ++node) {
+    if (!graph.is_junction(node)) {
+      continue;
+    }
     const Solid_queries& body = solid.queries(graph[node].component);
-    if (!graph.is_junction(node) || !body.is_inside(graph[node].position)) {
+    if (!body.is_inside(graph[node].position)) {
       continue;
     }
     double max_shift = 0;
