@@ -256,8 +256,13 @@ Soup dumbbell(double radius, double distance)
 TEST(Plain_bodies, of_two_balls_at_a_thin_neck_have_skeletons_in_both)
 {
   constexpr int number_of_poses = 6;
-  for (const auto& [radius, length] :
-       {std::array<double, 2>{0.01, 0.}, {0.01, 0.5}, {0.03, 0.5}, {0.03, 2.}, {0.1, 0.5}}) {
+  // Of a neck whose faces are longer than it is thick, no separator may be found that tells its direction.
+  for (const auto& [radius, length, max_offset] : {std::array<double, 3>{0.01, 0., 0.1},
+                                                   {0.01, 0.5, 0.1},
+                                                   {0.03, 0.5, 0.4},
+                                                   {0.03, 2., 0.1},
+                                                   {0.1, 0.5, 0.1},
+                                                   {0.3, 1., 0.1}}) {
     const double distance = 2 * std::sqrt(1 - radius * radius) + length;
     Soup soup = dumbbell(radius, distance);
     Vector3 axis(0, 0, 1);
@@ -279,9 +284,7 @@ TEST(Plain_bodies, of_two_balls_at_a_thin_neck_have_skeletons_in_both)
       std::transform(soup.points.begin(), soup.points.end(), soup.points.begin(), turned);
       axis = turned(axis);
     }
-    if (radius < 0.02) { // at the other ones, circles stay that hardly turn aside
-      EXPECT_LT(sum_of_offsets / number_of_poses, 0.1);
-    }
+    EXPECT_LT(sum_of_offsets / number_of_poses, max_offset);
   }
 }
 

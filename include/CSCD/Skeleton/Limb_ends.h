@@ -15,6 +15,7 @@
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -133,6 +134,18 @@ private:
   static constexpr double min_way_to_lobe = 2.5;
   /// ... and the lobe has at least this radius, likewise: from 0.55, no bowl of a glass is one.
   static constexpr double min_radius_of_lobe = 0.75;
+  /// A limb is straightened beyond its neck, a node whose distance from the surface is at most this, relative to the
+  /// radius of the lobe, the largest such distance behind it, ...
+  static constexpr double max_radius_of_neck = 0.67;
+  /// ... and where the cosine of the angle between the branch and the normal of the separator is at least this.
+  static constexpr double min_neck_cosine = 0.97;
+  /// The neck is at most this far from the last separator, relative to the radius of the lobe, ...
+  static constexpr double max_bent_length = 3;
+  /// ... the straight way is shorter than the bent one by at most this, likewise, ...
+  static constexpr double max_loss = 0.5;
+  /// ... and is farther from the surface by at least this factor on average. All chosen for dumbbells, so that few
+  /// other limbs change.
+  static constexpr double min_gain = 1.02;
   /// Tips stay this far below the surface, relative to the radius.
   static constexpr double tip_depth = 0.65;
   /// An edge to a tip has at least this length, likewise.
@@ -226,15 +239,15 @@ private:
       return;
     }
     if (!openings.empty()) {
-      add_tip(piece, base, -openings.front().normal);
+      add_tip(piece, base, -openings.front().normal, m_graph[base].radius);
     } else if (number_of_ways == 1) {
-      if (!m_graph[base].is_on_sheet && !enter_lobe(piece, base)) {
-        add_tip(piece, base, outward_normal(piece, start));
+      if (!m_graph[base].is_on_sheet && !straighten(piece, base) && !enter_lobe(piece, base)) {
+        add_tip(piece, base, outward_normal(piece, start), m_graph[base].radius);
       }
     } else {
       const Vector3 direction = (m_pieces.farthest(piece, start) - start).normalized();
-      add_tip(piece, base, direction);
-      add_tip(piece, base, -direction);
+      add_tip(piece, base, direction, m_graph[base].radius);
+      add_tip(piece, base, -direction, m_graph[base].radius);
     }
   }
 
@@ -245,6 +258,72 @@ private:
     const double side = m_cut.cut_graph.sides(end).left == piece ? 1 : -1;
     const Vector3 normal = side * m_cut.separator(end).normal;
     return normal.dot(m_pieces.centroid(piece).value_or(start + normal) - start) < 0 ? Vector3(-normal) : normal;
+  }
+
+  /// Where the limb of `piece` has a neck, replaces a bent way from there to `end` by a straight one that leads as far
+  /// and is farther from the surface: across a ball, circles in any direction are separators.
+  /// \return whether it was replaced
+  bool straighten(Index piece, Index end)
+  {
+    const double end_radius = m_graph[end].radius;
+    const Vector3 outward = outward_normal(piece, m_graph[end].position);
+    std::vector<double> lengths{distance_to_end(piece, end, outward)}; // of the ways from the nodes to the surface
+    double radius = clearance(end, m_graph[end].position + lengths[0] / 2 * outward);
+    const std::vector<Index> limb = nodes_to_neck(end, radius);
+    if (limb.empty()) {
+      return false;
+    }
+    for (std::size_t i = 1; i < limb.size(); ++i) {
+      lengths.push_back(lengths.back() + m_graph.edge_length(limb[i - 1], limb[i]));
+    }
+    const Index neck = limb.back();
+    const Vector3& start = m_graph[neck].position;
+    const Vector3& normal = m_cut.separator(neck).normal;
+    const Vector3 ray = normal.dot(m_graph[limb[limb.size() - 2]].position - start) < 0 ? Vector3(-normal) : normal;
+    const double reach = distance_to_end(piece, neck, ray);
+    double clearances = 0;
+    double straight_clearances = 0;
+    for (std::size_t i = 0; i + 1 < limb.size(); ++i) {
+      clearances += clearance(neck, m_graph[limb[i]].position);
+      straight_clearances += clearance(neck, start + (1 - lengths[i] / lengths.back()) * reach * ray);
+    }
+    if (reach < lengths.back() - max_loss * radius || straight_clearances < min_gain * clearances) {
+      return false;
+    }
+    for (std::size_t i = 0; i + 1 < limb.size(); ++i) {
+      m_graph.contract(limb[i], limb[i + 1]);
+    }
+    add_tip(piece, neck, ray, std::min(radius, end_radius));
+    return true;
+  }
+
+  /// The nodes from `end` to the neck of its limb; none without a neck. Enlarges `radius` to that of the lobe behind
+  /// it.
+  std::vector<Index> nodes_to_neck(Index end, double& radius) const
+  {
+    std::vector<Index> limb;
+    double length = 0;
+    for (Index node = end; m_graph.degree(node) == (limb.empty() ? 1 : 2) && length <= max_bent_length * radius;) {
+      const double node_clearance = clearance(node, m_graph[node].position);
+      radius = std::max(radius, node_clearance);
+      const Index next = limb.empty() ? m_graph[node].neighbors[0] : m_graph.other_neighbor(node, limb.back());
+      limb.push_back(node);
+      const Vector3 way = m_graph[node].position - m_graph[next].position;
+      if (limb.size() > 1 && node < m_cut.packed.size() && m_graph.is_regular(next) &&
+          std::abs(m_cut.separator(node).normal.dot(way)) >= min_neck_cosine * way.norm() &&
+          node_clearance <= max_radius_of_neck * radius) {
+        return limb;
+      }
+      length += way.norm();
+      node = next;
+    }
+    return {};
+  }
+
+  /// The distance of `point` from the surface of the component of `node`; 0 outside.
+  double clearance(Index node, const Vector3& point) const
+  {
+    return body(node).is_inside(point) ? (body(node).closest_point(point).point - point).norm() : 0;
   }
 
   /// Leads the branch from `base` through the last lobe of the body where the farthest point of `piece` lies in one: a
@@ -264,14 +343,14 @@ private:
     }
     const Index lobe = m_graph.extend(base, *middle, radius);
     m_graph[lobe].pieces = {piece};
-    add_tip(piece, lobe, (farthest - *middle) / radius);
+    add_tip(piece, lobe, (farthest - *middle) / radius, radius);
     return true;
   }
 
-  /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
-  void add_tip(Index piece, Index base, const Vector3& direction)
+  /// Adds a tip in `direction` from `base`, in a body of this `radius`; if `base` is as near to the end, it becomes the
+  /// tip.
+  void add_tip(Index piece, Index base, const Vector3& direction, double radius)
   {
-    const double radius = m_graph[base].radius;
     const Vector3 start = m_graph[base].position;
     const double reach = distance_to_end(piece, base, direction);
     const double depth = tip_depth * radius;
