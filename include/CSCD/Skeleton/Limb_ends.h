@@ -239,15 +239,15 @@ private:
       return;
     }
     if (!openings.empty()) {
-      add_tip(piece, base, -openings.front().normal, m_graph[base].radius);
+      add_tip(piece, base, -openings.front().normal);
     } else if (number_of_ways == 1) {
       if (!m_graph[base].is_on_sheet && !straighten(piece, base) && !enter_lobe(piece, base)) {
-        add_tip(piece, base, outward_normal(piece, start), m_graph[base].radius);
+        add_tip(piece, base, outward_normal(piece, start));
       }
     } else {
       const Vector3 direction = (m_pieces.farthest(piece, start) - start).normalized();
-      add_tip(piece, base, direction, m_graph[base].radius);
-      add_tip(piece, base, -direction, m_graph[base].radius);
+      add_tip(piece, base, direction);
+      add_tip(piece, base, -direction);
     }
   }
 
@@ -261,11 +261,10 @@ private:
   }
 
   /// Where the limb of `piece` has a neck, replaces a bent way from there to `end` by a straight one that leads as far
-  /// and is farther from the surface: across a ball, circles in any direction are separators.
-  /// \return whether it was replaced
+  /// and is farther from the surface: across a ball, circles in any direction are separators. `end` becomes the tip.
+  /// \return whether the way was replaced
   bool straighten(Index piece, Index end)
   {
-    const double end_radius = m_graph[end].radius;
     const Vector3 outward = outward_normal(piece, m_graph[end].position);
     std::vector<double> lengths{distance_to_end(piece, end, outward)}; // of the ways from the nodes to the surface
     double radius = clearance(end, m_graph[end].position + lengths[0] / 2 * outward);
@@ -290,10 +289,11 @@ private:
     if (reach < lengths.back() - max_loss * radius || straight_clearances < min_gain * clearances) {
       return false;
     }
-    for (std::size_t i = 0; i + 1 < limb.size(); ++i) {
-      m_graph.contract(limb[i], limb[i + 1]);
+    for (std::size_t i = 1; i + 1 < limb.size(); ++i) {
+      m_graph.contract(limb[i], end); // whose vertices may be nearest to the tip
     }
-    add_tip(piece, neck, ray, std::min(radius, end_radius));
+    m_graph[end].radius = std::min(radius, m_graph[end].radius);
+    m_graph[end].position = start + std::max(reach - tip_depth * m_graph[end].radius, reach / 2) * ray;
     return true;
   }
 
@@ -343,14 +343,14 @@ private:
     }
     const Index lobe = m_graph.extend(base, *middle, radius);
     m_graph[lobe].pieces = {piece};
-    add_tip(piece, lobe, (farthest - *middle) / radius, radius);
+    add_tip(piece, lobe, (farthest - *middle) / radius);
     return true;
   }
 
-  /// Adds a tip in `direction` from `base`, in a body of this `radius`; if `base` is as near to the end, it becomes the
-  /// tip.
-  void add_tip(Index piece, Index base, const Vector3& direction, double radius)
+  /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
+  void add_tip(Index piece, Index base, const Vector3& direction)
   {
+    const double radius = m_graph[base].radius;
     const Vector3 start = m_graph[base].position;
     const double reach = distance_to_end(piece, base, direction);
     const double depth = tip_depth * radius;
