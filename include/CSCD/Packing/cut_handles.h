@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -397,7 +398,7 @@ inline std::vector<char> separators_around_hollows(const Triangulated_solid& sol
   std::vector<char> result(separators.size(), 0);
   const std::vector<char> is_on_limb = separators_of_limbs(cut_graph, packed.size());
   std::vector<char> is_done(packed.size(), 0);
-  const Loops_through_pieces find_loop(surface, separators, packed, cut_graph);
+  Loops_across loops(surface, separators, packed);
   for (Index i = 0; i < packed.size(); ++i) {
     if (is_on_limb[i] != 0) {
       result[packed[i]] = is_around_hollow(solid, separators[packed[i]], 0) ? 1 : 0;
@@ -406,15 +407,21 @@ inline std::vector<char> separators_around_hollows(const Triangulated_solid& sol
     if (is_done[i] != 0) {
       continue;
     }
-    const Loops_through_pieces::Loop loop = find_loop(i);
+    const Loops_across::Loop loop = loops.find(i, true, std::numeric_limits<float>::infinity());
+    if (loop.vertices.empty()) {
+      continue;
+    }
+    const std::vector<Edge_crossing> curve = loops.curve(loop);
     bool is_linked = false;
     for (const Index crossed : loop.crossed) {
-      is_done[crossed] = 1;
-      const Linking linking(surface, separators[packed[crossed]].crossings, loop.curve);
-      is_linked = is_linked || (linking.is_consistent() && linking.of_separator != 0);
+      if (std::count(loop.crossed.begin(), loop.crossed.end(), crossed) == 1) {
+        is_done[crossed] = 1;
+        const Linking linking(surface, separators[packed[crossed]].crossings, curve);
+        is_linked = is_linked || (linking.is_consistent() && linking.of_separator != 0);
+      }
     }
     if (is_linked) {
-      const std::vector<Vector3> linked = curve_off_surface(surface, loop.curve, Linking::offset);
+      const std::vector<Vector3> linked = curve_off_surface(surface, curve, Linking::offset);
       for (Index j = 0; j < separators.size(); ++j) {
         const std::vector<Vector3> other = curve_off_surface(surface, separators[j].crossings, -Linking::offset);
         const bool is_hollow = component(j) == component(packed[i]) && linking_number(other, linked) != 0;
