@@ -9,25 +9,37 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Vector3.h>
 
+#include <CGAL/Dimension.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Search_traits.h>
 
-#include <boost/iterator/counting_iterator.hpp>
-#include <boost/property_map/property_map.hpp>
+#include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A point and its number.
+struct Numbered_point
+{
+  Vector3 place;
+  Index number;
+};
+
+/// The coordinates of a point as CGAL's search trees ask for them.
+struct Coordinates_of_point
+{
+  using result_type = const double*;
+  result_type operator()(const Numbered_point& point) const { return point.place.data(); }
+  result_type operator()(const Numbered_point& point, int /* past the last */) const { return point.place.data() + 3; }
+};
 
 /// A search tree over points. Among equally distant ones the order is unspecified, but always the same.
 class Point_tree
@@ -35,57 +47,34 @@ class Point_tree
 public:
   /// Builds the tree; O(n log n). The points are copied.
   explicit Point_tree(const std::vector<Vector3>& points)
-      : m_points(to_cgal(points)), m_point_map(m_points.data()),
-        m_tree(boost::make_counting_iterator(Index(0)), boost::make_counting_iterator(Index(m_points.size())),
-               Search::Splitter(), Search_traits(m_point_map))
   {
-    if (!m_points.empty()) {
+    for (const Vector3& point : points) {
+      m_tree.insert({point, Index(m_tree.size())});
+    }
+    if (!points.empty()) {
       m_tree.build();
     }
   }
-  Point_tree(const Point_tree&) = delete;
-  Point_tree& operator=(const Point_tree&) = delete;
-  ~Point_tree() = default;
 
   /// Calls `use(index, squared_distance)` for the `number` points that are nearest to `query`, the nearest first.
   /// O(number log n) in expectation.
   template <class Use>
   void for_each_nearest(const Vector3& query, Index number, const Use& use) const
   {
-    const Search search(m_tree, {query.x(), query.y(), query.z()}, number, 0, true, Distance(m_point_map));
-    for (const auto& [index, squared_distance] : search) {
-      use(index, squared_distance);
+    const Search search(m_tree, {query, no_index}, number);
+    for (const auto& [point, squared_distance] : search) {
+      use(point.number, squared_distance);
     }
   }
 
   /// The point nearest to `query`.
   /// \pre there are points
-  Index nearest(const Vector3& query) const
-  {
-    Index result = no_index;
-    for_each_nearest(query, 1, [&result](Index index, double) { result = index; });
-    return result;
-  }
+  Index nearest(const Vector3& query) const { return Search(m_tree, {query, no_index}, 1).begin()->first.number; }
 
 private:
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Point = Kernel::Point_3;
-  using Point_map =
-      boost::iterator_property_map<const Point*, boost::typed_identity_property_map<Index>, Point, const Point&>;
-  using Search_traits = CGAL::Search_traits_adapter<Index, Point_map, CGAL::Search_traits_3<Kernel>>;
-  using Search = CGAL::Orthogonal_k_neighbor_search<Search_traits>;
-  using Distance = Search::Distance;
+  using Search = CGAL::Orthogonal_k_neighbor_search<
+      CGAL::Search_traits<double, Numbered_point, const double*, Coordinates_of_point, CGAL::Dimension_tag<3>>>;
 
-  static std::vector<Point> to_cgal(const std::vector<Vector3>& points)
-  {
-    std::vector<Point> result;
-    result.reserve(points.size());
-    std::transform(points.begin(), points.end(), std::back_inserter(result), make_point<Point>);
-    return result;
-  }
-
-  std::vector<Point> m_points;
-  Point_map m_point_map;
   Search::Tree m_tree;
 };
 
@@ -198,15 +187,12 @@ public:
   /// Adds a point, and numbers it by the number of those before; constant amortized time.
   void insert(const Vector3& point)
   {
-    if (m_entries.size() == m_first.size()) {
-      grow();
-    }
-    m_entries.push_back({point, cell_of(point, 0), no_index});
-    link(Index(m_entries.size() - 1));
+    m_cells[cell_of(point, 0)].push_back(size());
+    m_points.push_back(point);
   }
 
-  Index size() const { return Index(m_entries.size()); }
-  const Vector3& point(Index index) const { return m_entries[index].point; }
+  Index size() const { return Index(m_points.size()); }
+  const Vector3& point(Index index) const { return m_points[index]; }
 
   /// Calls `use(index, squared_distance)` for all points within the radius; linear in the number of points in eight
   /// cells that are twice as wide as it.
@@ -215,11 +201,14 @@ public:
   {
     const Cell least = cell_of(query, -m_radius); // the ball meets at most two cells in each direction
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const Cell cell{least[0] + (corner & 1U), least[1] + (corner >> 1U & 1U), least[2] + (corner >> 2U)};
-      for (Index index = m_first[bucket(cell)]; index != no_index; index = m_entries[index].next) {
-        const Entry& entry = m_entries[index];
-        const double squared_distance = (entry.point - query).squaredNorm();
-        if (squared_distance <= m_radius * m_radius && entry.cell == cell) {
+      const auto cell =
+          m_cells.find({least[0] + (corner & 1U), least[1] + (corner >> 1U & 1U), least[2] + (corner >> 2U)});
+      if (cell == m_cells.end()) {
+        continue;
+      }
+      for (const Index index : cell->second) {
+        const double squared_distance = (m_points[index] - query).squaredNorm();
+        if (squared_distance <= m_radius * m_radius) {
           use(index, squared_distance);
         }
       }
@@ -228,13 +217,6 @@ public:
 
 private:
   using Cell = std::array<std::int64_t, 3>;
-
-  struct Entry
-  {
-    Vector3 point;
-    Cell cell;
-    Index next; // in the same bucket
-  };
 
   Cell cell_of(const Vector3& point, double shift) const
   {
@@ -245,32 +227,9 @@ private:
     return result;
   }
 
-  std::size_t bucket(const Cell& cell) const
-  {
-    // The primes of Teschner et al., Optimized spatial hashing for collision detection of deformable objects (2003).
-    const std::uint64_t key =
-        std::uint64_t(cell[0]) * 73856093U ^ std::uint64_t(cell[1]) * 19349663U ^ std::uint64_t(cell[2]) * 83492791U;
-    return std::size_t(key) & (m_first.size() - 1);
-  }
-
-  void link(Index index)
-  {
-    Index& first = m_first[bucket(m_entries[index].cell)];
-    m_entries[index].next = first;
-    first = index;
-  }
-
-  void grow()
-  {
-    m_first.assign(2 * m_first.size(), no_index);
-    for (Index index = 0; index < m_entries.size(); ++index) {
-      link(index);
-    }
-  }
-
   double m_radius;
-  std::vector<Entry> m_entries;
-  std::vector<Index> m_first = std::vector<Index>(64, no_index); // of every bucket; their number is a power of two
+  std::vector<Vector3> m_points;
+  boost::unordered_map<Cell, std::vector<Index>> m_cells; ///< the points in them
 };
 
 /// The members of `points`, in their order, that are farther than `radius` from all that were chosen before.
