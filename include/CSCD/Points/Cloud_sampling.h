@@ -63,10 +63,7 @@ inline Quadric_fit fit_quadric(const std::vector<Vector3>& points, Index point,
     offsets.push_back((points[neighbor] - points[point]) / unit);
   }
   const std::array<Vector3, 3> axes = axes_of(offsets).vectors;
-  Quadric_fit result;
-  result.normal = axes[0];
-  result.surface_normal = result.normal;
-  result.projection = points[point];
+  Quadric_fit result{axes[0], points[point], axes[0], 0};
   if (neighbors.size() < 2 * number_of_coefficients) {
     return result;
   }
@@ -102,77 +99,55 @@ inline double quantile(std::vector<double> values, double fraction)
   return *place;
 }
 
-/// Fits a plane to the nearest neighbors of a point, to as many as are flattest, and from there a quadric to those
-/// neighbors that are not far off this plane: not to those on another sheet.
-class Sheet_fitting
+/// The normal of the plane through as many of the nearest neighbors of `point` as are the thinnest in relation to their
+/// width.
+inline Vector3 flattest_normal(const std::vector<Vector3>& points, const Neighbor_table& table, Index point)
 {
-public:
-  Sheet_fitting(const std::vector<Vector3>& points, const Neighbor_table& neighbors)
-      : m_points(points), m_neighbors(neighbors)
-  {
-  }
-
-  /// The quadric of `point`; if too few neighbors are left for one, the plane, which takes the point where it is.
-  Quadric_fit operator()(Index point)
-  {
-    const Vector3 normal = flattest_normal(point);
-    m_sheet.clear();
-    double reach = 0;
-    for (const Index neighbor : m_neighbors.neighbors(point)) {
-      const Vector3 edge = m_points[neighbor] - m_points[point];
-      if (std::abs(edge.dot(normal)) <= max_slope * edge.norm()) {
-        m_sheet.push_back(neighbor);
-        reach = std::max(reach, edge.norm());
-      }
+  // The sizes of neighborhoods that are compared: the immediate neighbors, and more for points with noise.
+  constexpr std::array<Index, 3> sizes{7, 10, 16};
+  const auto neighbors = table.neighbors(point);
+  const double unit = table.reach(point);
+  Vector3 sum = Vector3::Zero();
+  Moment_matrix moments;
+  Vector3 result = Vector3::UnitZ();
+  double min_thickness = std::numeric_limits<double>::infinity();
+  auto neighbor = neighbors.begin();
+  for (const Index size : sizes) {
+    for (; neighbor != neighbors.end() && neighbor - neighbors.begin() < std::ptrdiff_t(size); ++neighbor) {
+      const Vector3 offset = (points[*neighbor] - points[point]) / unit;
+      sum += offset;
+      moments += Moment_matrix::product(offset, offset);
     }
-    if (m_sheet.size() >= min_sheet) {
-      return fit_quadric(m_points, point, {m_sheet.data(), m_sheet.data() + m_sheet.size()}, reach);
+    const Principal_axes axes =
+        principal_axes(moments - Moment_matrix::product(sum, sum) / double(neighbor - neighbors.begin() + 1));
+    const double thickness = std::max(0., axes.values[0]) / axes.values[1];
+    if (thickness < min_thickness) {
+      min_thickness = thickness;
+      result = axes.vectors[0];
     }
-    Quadric_fit result;
-    result.normal = result.surface_normal = normal;
-    result.projection = m_points[point];
-    return result;
   }
+  return result;
+}
 
-private:
-  /// The sizes of neighborhoods that are compared, ascending: the immediate neighbors, and more for points with noise.
-  static constexpr std::array<Index, 3> sizes{7, 10, 16};
-  /// The sine of the angle between the plane and the edges to neighbors on the same sheet.
-  static constexpr double max_slope = 0.5;
-  /// Fewer neighbors do not determine more than a plane.
-  static constexpr std::size_t min_sheet = 5;
-
-  /// The normal of that neighborhood that is the thinnest in relation to its width.
-  Vector3 flattest_normal(Index point) const
-  {
-    const auto neighbors = m_neighbors.neighbors(point);
-    const double unit = m_neighbors.reach(point);
-    Vector3 sum = Vector3::Zero();
-    Moment_matrix moments;
-    Vector3 result = Vector3::UnitZ();
-    double min_thickness = std::numeric_limits<double>::infinity();
-    auto neighbor = neighbors.begin();
-    for (const Index size : sizes) {
-      for (; neighbor != neighbors.end() && neighbor - neighbors.begin() < std::ptrdiff_t(size); ++neighbor) {
-        const Vector3 offset = (m_points[*neighbor] - m_points[point]) / unit;
-        sum += offset;
-        moments += Moment_matrix::product(offset, offset);
-      }
-      const Principal_axes axes =
-          principal_axes(moments - Moment_matrix::product(sum, sum) / double(neighbor - neighbors.begin() + 1));
-      const double thickness = std::max(0., axes.values[0]) / axes.values[1];
-      if (thickness < min_thickness) {
-        min_thickness = thickness;
-        result = axes.vectors[0];
-      }
+/// Fits a quadric to the neighbors of `point` that are not far off its flattest plane: not to those on another sheet.
+/// If too few are left for a quadric, the fit is the plane, which takes the point where it is.
+inline Quadric_fit fit_sheet(const std::vector<Vector3>& points, const Neighbor_table& table, Index point)
+{
+  constexpr double max_slope = 0.5; // the sine of the angle between the plane and the edges to neighbors on the sheet
+  constexpr std::size_t min_sheet = 5; // fewer neighbors do not determine more than a plane
+  const Vector3 normal = flattest_normal(points, table, point);
+  std::vector<Index> sheet;
+  double reach = 0;
+  for (const Index neighbor : table.neighbors(point)) {
+    const Vector3 edge = points[neighbor] - points[point];
+    if (std::abs(edge.dot(normal)) <= max_slope * edge.norm()) {
+      sheet.push_back(neighbor);
+      reach = std::max(reach, edge.norm());
     }
-    return result;
   }
-
-  const std::vector<Vector3>& m_points;
-  const Neighbor_table& m_neighbors;
-  std::vector<Index> m_sheet; // neighbors that seem to be on the same one
-};
+  return sheet.size() < min_sheet ? Quadric_fit{normal, points[point], normal, 0}
+                                  : fit_quadric(points, point, {sheet.data(), sheet.data() + sheet.size()}, reach);
+}
 
 } // namespace CSCD::internal
 

@@ -34,9 +34,12 @@ class Fragment_joining
 {
 public:
   Fragment_joining(Indexed_triangles& triangles, const Halfedge_pairing& pairing)
-      : m_triangles(triangles), m_next(triangles.points.size(), no_index), m_previous(m_next)
+      : m_triangles(triangles), m_next(triangles.points.size(), no_index), m_previous(m_next),
+        m_groups(sets_of_vertices(triangles.faces, triangles.points.size())), m_size(triangles.points.size(), 0)
   {
-    find_fragments();
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      ++m_size[m_groups.find(face[0])];
+    }
     // Borders run so that the faces that close them lie to their left.
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
       if (pairing.twin(h) == no_index) {
@@ -51,13 +54,13 @@ public:
   std::vector<Joined_gap> operator()()
   {
     std::vector<Joined_gap> result;
-    if (m_size.size() > 1) {
-      for (const Candidate& candidate : find_candidates()) {
-        if (are_one_body(candidate)) {
-          unite(group(candidate.a), group(candidate.b));
-          add_band(candidate.a, candidate.b);
-          result.push_back({(m_triangles.points[candidate.a] + m_triangles.points[candidate.b]) / 2, candidate.gap});
-        }
+    for (const auto& [gap, a, b] : find_candidates()) {
+      if (are_one_body(gap, a, b)) {
+        const std::size_t size = m_size[m_groups.find(a)] + m_size[m_groups.find(b)];
+        m_groups.join(a, b);
+        m_size[m_groups.find(a)] = size;
+        add_band(a, b);
+        result.push_back({(m_triangles.points[a] + m_triangles.points[b]) / 2, gap});
       }
     }
     drop_debris();
@@ -81,35 +84,18 @@ private:
   /// ... and relative to their edges: a shorter border is only a hole in the sampling.
   static constexpr double min_border_in_edges = 8;
 
-  struct Candidate
-  {
-    double gap;
-    Index a;
-    Index b;
-    bool operator<(const Candidate& other) const { return std::tie(gap, a, b) < std::tie(other.gap, other.a, other.b); }
-  };
+  /// The width of a gap, and the vertices on borders at its ends.
+  using Candidate = std::tuple<double, Index, Index>;
 
   double distance(Index a, Index b) const { return (m_triangles.points[a] - m_triangles.points[b]).norm(); }
-  Index group(Index vertex) { return m_groups.find(m_fragment[vertex]); }
   /// The mean length of the two edges of the border at `vertex`.
   double edge_length(Index vertex) const
   {
     return (distance(m_previous[vertex], vertex) + distance(vertex, m_next[vertex])) / 2;
   }
 
-  void find_fragments()
-  {
-    Index number = 0;
-    m_fragment = sets_of_vertices(m_triangles.faces, m_triangles.points.size()).numbers(number);
-    m_groups = Disjoint_sets(number);
-    m_size.assign(number, 0);
-    for (const std::array<Index, 3>& face : m_triangles.faces) {
-      ++m_size[m_fragment[face[0]]];
-    }
-  }
-
   /// Pairs of vertices on borders of different fragments, the nearest first.
-  std::vector<Candidate> find_candidates() const
+  std::vector<Candidate> find_candidates()
   {
     std::vector<Index> ends;
     std::vector<Vector3> places;
@@ -125,8 +111,8 @@ private:
       tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index i, double squared_distance) {
         const Index b = ends[i];
         const double gap = std::sqrt(squared_distance);
-        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::min(edge_length(a), edge_length(b))) {
-          result.push_back({gap, std::min(a, b), std::max(a, b)});
+        if (m_groups.find(a) != m_groups.find(b) && gap <= widest_gap * std::min(edge_length(a), edge_length(b))) {
+          result.emplace_back(gap, std::min(a, b), std::max(a, b));
         }
       });
     }
@@ -135,18 +121,17 @@ private:
   }
 
   /// Whether the groups at the ends of a gap are to be joined: if one is small, or both are stumps.
-  bool are_one_body(const Candidate& gap)
+  bool are_one_body(double gap, Index a, Index b)
   {
-    const Index group_a = group(gap.a);
-    const Index group_b = group(gap.b);
+    const Index group_a = m_groups.find(a);
+    const Index group_b = m_groups.find(b);
     if (group_a == group_b) {
       return false;
     }
-    const double edge = std::max(edge_length(gap.a), edge_length(gap.b));
     const bool is_part =
         double(std::min(m_size[group_a], m_size[group_b])) <= max_part * double(m_triangles.faces.size());
-    const double border = std::max(min_border * gap.gap, min_border_in_edges * edge);
-    return is_part || (has_border_of(gap.a, border) && has_border_of(gap.b, border));
+    const double border = std::max(min_border * gap, min_border_in_edges * std::max(edge_length(a), edge_length(b)));
+    return is_part || (has_border_of(a, border) && has_border_of(b, border));
   }
 
   /// Whether the border through `vertex` has at least this length.
@@ -161,18 +146,13 @@ private:
     return sum >= length;
   }
 
-  void unite(Index group_a, Index group_b)
-  {
-    const std::size_t size = m_size[group_a] + m_size[group_b];
-    m_groups.join(group_a, group_b);
-    m_size[m_groups.find(group_a)] = size;
-  }
-
   void drop_debris()
   {
     std::vector<std::array<Index, 3>>& faces = m_triangles.faces;
     const double max_size = std::min(max_dropped, max_dropped_part * double(faces.size()));
-    const auto is_debris = [&](const std::array<Index, 3>& face) { return double(m_size[group(face[0])]) <= max_size; };
+    const auto is_debris = [&](const std::array<Index, 3>& face) {
+      return double(m_size[m_groups.find(face[0])]) <= max_size;
+    };
     faces.erase(std::remove_if(faces.begin(), faces.end(), is_debris), faces.end());
   }
 
@@ -202,8 +182,7 @@ private:
   Indexed_triangles& m_triangles;
   std::vector<Index> m_next;       // of the vertices on borders
   std::vector<Index> m_previous;   // likewise
-  std::vector<Index> m_fragment;   // of every vertex
-  Disjoint_sets m_groups;          // of fragments that are joined
+  Disjoint_sets m_groups;          // of the vertices of fragments that are joined
   std::vector<std::size_t> m_size; // faces of the groups
 };
 

@@ -42,6 +42,16 @@ inline std::vector<std::uint64_t> homology_words(const Triangulated_surface& sur
   return words;
 }
 
+/// The length of `loop` through some of `points`.
+inline double loop_length(const std::vector<Vector3>& points, const Vertex_loop& loop)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    sum += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
+  }
+  return sum;
+}
+
 /// Cuts `triangles` open along `loops`: the faces to the right of a loop get copies of its vertices, which are
 /// appended. Linear in the degrees of the vertices.
 /// \pre `surface` is made of `triangles`, with the same numbers; the loops have no vertex in common, and consecutive
@@ -89,22 +99,20 @@ public:
     for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
       search_around(vertex);
     }
-    std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return std::tie(a.length, a.loop) < std::tie(b.length, b.loop);
-    });
+    std::sort(m_candidates.begin(), m_candidates.end());
     std::vector<Vertex_loop> cuts;
     std::vector<std::uint64_t> basis; // of the words of the cuts; each is less than its sum with an earlier one
     std::vector<std::uint8_t> is_cut(m_surface.number_of_vertices(), 0);
-    for (const Candidate& candidate : m_candidates) {
-      std::uint64_t word = candidate.word;
+    for (const auto& [length, loop, its_word] : m_candidates) {
+      std::uint64_t word = its_word;
       for (const std::uint64_t other : basis) {
         word = std::min(word, word ^ other);
       }
       const auto is_marked = [&is_cut](Index vertex) { return is_cut[vertex] != 0; };
-      if (word != 0 && std::none_of(candidate.loop.begin(), candidate.loop.end(), is_marked)) {
+      if (word != 0 && std::none_of(loop.begin(), loop.end(), is_marked)) {
         basis.push_back(word);
-        cuts.push_back(candidate.loop);
-        for (const Index vertex : candidate.loop) {
+        cuts.push_back(loop);
+        for (const Index vertex : loop) {
           is_cut[vertex] = 1;
         }
       }
@@ -128,12 +136,8 @@ private:
   /// these: where holes were closed, edges are long.
   static constexpr std::array<double, 2> edge_range{0.5, 2};
 
-  struct Candidate
-  {
-    float length;
-    std::uint64_t word; ///< the sum along the loop
-    Vertex_loop loop;
-  };
+  /// The length of a loop, the loop, and the sum along it.
+  using Candidate = std::tuple<float, Vertex_loop, std::uint64_t>;
 
   /// The end of the shortest path from the center of the search to a vertex.
   struct Path
@@ -143,13 +147,8 @@ private:
     Index first_hop = no_index; ///< the vertex after the center
   };
 
-  /// An edge that closes a loop.
-  struct Closing_edge
-  {
-    float loop_length;
-    Index halfedge;
-    std::uint64_t word; ///< the sum along the loop
-  };
+  /// The length of a loop, the halfedge that closes it, and the sum along it.
+  using Closing_edge = std::tuple<float, Index, std::uint64_t>;
 
   struct Oriented_face
   {
@@ -174,12 +173,13 @@ private:
     spread_from(center, longest / 2);
     find_closing_edges(longest);
     std::vector<std::uint64_t> words;
-    for (const Closing_edge& edge : m_closing_edges) {
-      if (std::find(words.begin(), words.end(), edge.word) == words.end()) {
-        words.push_back(edge.word);
-        Vertex_loop loop = close_loop(m_surface.origin(edge.halfedge), m_surface.target(edge.halfedge));
-        if (edge.loop_length <= max_length || is_in_fold(loop)) {
-          m_candidates.push_back({length(loop), edge.word, std::move(loop)});
+    for (const auto& [length, halfedge, word] : m_closing_edges) {
+      if (std::find(words.begin(), words.end(), word) == words.end()) {
+        words.push_back(word);
+        Vertex_loop loop = close_loop(m_surface.origin(halfedge), m_surface.target(halfedge));
+        if (length <= max_length || is_in_fold(loop)) {
+          const auto its_length = float(loop_length(m_surface.points(), loop));
+          m_candidates.emplace_back(its_length, std::move(loop), word);
         }
       }
     }
@@ -220,13 +220,11 @@ private:
         const std::uint64_t word = m_paths[a].word ^ m_paths[b].word ^ m_words[h];
         const float length = m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h));
         if (word != 0 && length <= longest) {
-          m_closing_edges.push_back({length, h, word});
+          m_closing_edges.emplace_back(length, h, word);
         }
       }
     }
-    std::sort(m_closing_edges.begin(), m_closing_edges.end(), [](const Closing_edge& a, const Closing_edge& b) {
-      return std::tie(a.loop_length, a.halfedge) < std::tie(b.loop_length, b.halfedge);
-    });
+    std::sort(m_closing_edges.begin(), m_closing_edges.end());
   }
 
   /// The paths to `a` and `b`, as a loop: from its least vertex to the lesser neighbor, so that the loop is the same
@@ -246,15 +244,6 @@ private:
       std::reverse(loop.begin() + 1, loop.end());
     }
     return loop;
-  }
-
-  float length(const Vertex_loop& loop) const
-  {
-    double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      sum += (m_surface.point(loop[i]) - m_surface.point(loop[i + 1 < loop.size() ? i + 1 : 0])).norm();
-    }
-    return float(sum);
   }
 
   bool is_in_fold(const Vertex_loop& loop) const

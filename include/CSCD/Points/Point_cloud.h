@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -47,6 +48,13 @@ public:
   Vector3 operator()(const Vector3& point) const
   {
     return internal::from_eigen(m_scale * (m_rotation * internal::to_eigen(point - m_centroid)));
+  }
+  /// The places of `points` in the pose.
+  std::vector<Vector3> places_of(const std::vector<Vector3>& points) const
+  {
+    std::vector<Vector3> result(points.size());
+    std::transform(points.begin(), points.end(), result.begin(), *this);
+    return result;
   }
   /// `direction` in the pose.
   Vector3 turn(const Vector3& direction) const

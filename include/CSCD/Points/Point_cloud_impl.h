@@ -37,8 +37,7 @@ CSCD_INLINE void put_in_order(const std::vector<Vector3>& points, const std::vec
 {
   constexpr double max_cell = (1 << 21) - 1; // along the longest side: 63 binary digits in all
   cloud.pose = Canonical_pose(points);
-  std::vector<Vector3> posed(points.size());
-  std::transform(points.begin(), points.end(), posed.begin(), cloud.pose);
+  const std::vector<Vector3> posed = cloud.pose.places_of(points);
   const Bounding_box box(posed);
   const double cells = max_cell / (box.max() - box.min()).maxCoeff();
   std::vector<std::pair<std::uint64_t, Index>> order; // by the codes of cells

@@ -34,30 +34,25 @@ inline double angle_around(const Vector3& normal, const Vector3& x, const Vector
   return std::atan2(normal.dot(x.cross(y)), x.dot(y) - normal.dot(x) * normal.dot(y));
 }
 
-/// The neighbors of every vertex in some triangles, each once, by ascending number.
-class Vertex_neighbors : public Compressed_rows<Index>
+/// The neighbors of every vertex in some triangles, each once, by ascending number. O(n) for bounded degrees.
+/// \tparam Triangle an array of three vertices
+template <class Triangle>
+Compressed_rows<Index> vertex_neighbors(std::size_t number_of_vertices, const std::vector<Triangle>& triangles)
 {
-public:
-  /// O(n) for bounded degrees.
-  /// \param triangles a range of what `vertices_of` maps to three vertices
-  template <class Triangles, class VerticesOf>
-  Vertex_neighbors(std::size_t number_of_vertices, const Triangles& triangles, const VerticesOf& vertices_of)
-      : Compressed_rows(number_of_vertices, [&](const auto& add) {
-          for (const auto& triangle : triangles) {
-            const std::array<Index, 3>& vertices = vertices_of(triangle);
-            for (std::size_t k = 0; k < 3; ++k) {
-              add(vertices[k], vertices[(k + 1) % 3]);
-              add(vertices[k], vertices[(k + 2) % 3]);
-            }
-          }
-        })
-  {
-    reduce_rows([](Index* first, Index* last) {
-      std::sort(first, last);
-      return std::unique(first, last);
-    });
-  }
-};
+  Compressed_rows<Index> result(number_of_vertices, [&](const auto& add) {
+    for (const Triangle& triangle : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        add(triangle[k], triangle[(k + 1) % 3]);
+        add(triangle[k], triangle[(k + 2) % 3]);
+      }
+    }
+  });
+  result.reduce_rows([](Index* first, Index* last) {
+    std::sort(first, last);
+    return std::unique(first, last);
+  });
+  return result;
+}
 
 } // namespace internal
 
@@ -159,8 +154,7 @@ public:
 private:
   void find_neighbors(const std::vector<std::array<Index, 3>>& triangles)
   {
-    m_targets = internal::Vertex_neighbors(
-        m_points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; });
+    m_targets = internal::vertex_neighbors(m_points.size(), triangles);
     m_lengths.reserve(m_targets.number_of_values());
     std::vector<std::pair<double, Index>> around;
     for (Index v = 0; v < number_of_vertices(); ++v) {

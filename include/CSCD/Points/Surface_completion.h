@@ -28,45 +28,34 @@
 namespace CSCD::internal {
 
 /// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
-/// appended. Linear. \return for every copy, in order, its original
+/// appended. Near linear.
 /// \pre `pairing`, that of the faces, has no conflict; it is kept so
-inline std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)
+inline void split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)
 {
   if (pairing.pinched_vertex() == no_index) {
-    return {};
+    return;
   }
-  std::vector<char> is_visited(pairing.number_of_halfedges(), 0);
+  Disjoint_sets fans(pairing.number_of_halfedges()); // of the halfedges that leave their vertices
+  for (Index h = 0; h < fans.size(); ++h) {
+    const Index next = pairing.twin(Halfedge_pairing::previous(h));
+    if (next != no_index) {
+      fans.join(h, next);
+    }
+  }
+  std::vector<Index> vertex_of_fan(fans.size(), no_index);
   std::vector<char> has_fan(triangles.points.size(), 0);
-  std::vector<Index> originals;
-  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
-    if (is_visited[halfedge]) {
-      continue;
+  for (Index h = 0; h < fans.size(); ++h) {
+    Index& corner = triangles.faces[h / 3][h % 3];
+    Index& vertex = vertex_of_fan[fans.find(h)];
+    if (vertex == no_index && std::exchange(has_fan[corner], 1) == 0) {
+      vertex = corner;
+    } else if (vertex == no_index) {
+      vertex = Index(triangles.points.size());
+      triangles.points.push_back(Vector3(triangles.points[corner]));
     }
-    Index vertex = triangles.origin(halfedge);
-    if (has_fan[vertex]) {
-      originals.push_back(vertex);
-      triangles.points.push_back(Vector3(triangles.points[vertex]));
-      vertex = Index(triangles.points.size() - 1);
-    } else {
-      has_fan[vertex] = 1;
-    }
-    const auto give = [&](Index h) {
-      is_visited[h] = 1;
-      triangles.faces[h / 3][h % 3] = vertex;
-    };
-    Index at = halfedge;
-    do {
-      give(at);
-      at = pairing.twin(Halfedge_pairing::previous(at));
-    } while (at != no_index && at != halfedge);
-    // From a border on, the rest of the fan is on the other side of the first halfedge.
-    for (at = at == no_index ? pairing.twin(halfedge) : no_index; at != no_index; at = pairing.twin(at)) {
-      at = Halfedge_pairing::next(at);
-      give(at);
-    }
+    corner = vertex;
   }
   pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-  return originals;
 }
 
 /// The result of a reconstruction: a closed surface through points.
@@ -95,14 +84,8 @@ public:
   /// Splits vertices where several fans meet, counts border edges, and drops points without faces.
   void prepare()
   {
-    const auto number_of_points = Index(m_surface.triangles.points.size());
-    pair();
-    split_pinched_vertices(m_surface.triangles, m_surface.pairing);
-    // Copies come after all points: they are of no point.
-    for (Index point = 0; point < number_of_points; ++point) {
-      m_surface.point_of_vertex.push_back(point);
-    }
-    m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
+    m_surface.point_of_vertex = all_indices(m_surface.triangles.points.size());
+    split_pinched_vertices();
     for (const std::size_t size : sizes_of_holes()) {
       m_surface.report.number_of_border_edges += size;
     }
@@ -152,9 +135,7 @@ public:
       }
     }
     triangles.faces = std::move(kept);
-    pair();
-    split_pinched_vertices(triangles, m_surface.pairing);
-    m_surface.point_of_vertex.resize(triangles.points.size(), no_index);
+    split_pinched_vertices();
     compact();
     m_surface.report.number_of_holes = 0;
   }
@@ -195,6 +176,14 @@ private:
     CGAL_assertion(m_surface.pairing.conflict() == no_index);
   }
 
+  /// Pairs the halfedges. Copies of vertices are of no point.
+  void split_pinched_vertices()
+  {
+    pair();
+    internal::split_pinched_vertices(m_surface.triangles, m_surface.pairing);
+    m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
+  }
+
   void join_fragments()
   {
     Fragment_joining joining(m_surface.triangles, m_surface.pairing);
@@ -225,61 +214,49 @@ private:
     bridge();
     Surface_components components(m_surface.triangles);
     if (orient_outwards(m_surface.triangles, components) > 0) {
-      m_surface.pairing = Halfedge_pairing(m_surface.triangles.faces, m_surface.triangles.points.size());
+      pair();
     }
-    m_number_of_components = components.number();
-  }
-
-  std::size_t genus() const
-  {
-    return genus_of_closed_surface(m_number_of_components, m_surface.triangles.points.size(),
-                                   m_surface.triangles.faces.size());
   }
 
   /// Cuts small handles, round by round: loops of one round have no vertex in common.
   void remove_false_handles()
   {
-    while (genus() > 0) {
-      // The cuts must not depend on the numbering.
-      renumber_canonically();
-      const Triangulated_surface whole{Indexed_triangles(m_surface.triangles)};
+    Indexed_triangles& triangles = m_surface.triangles;
+    for (;;) {
+      const Surface_components components(triangles);
+      if (genus_of_closed_surface(components.number(), triangles.points.size(), triangles.faces.size()) == 0) {
+        return;
+      }
+      renumber_canonically(components);
+      const Triangulated_surface whole{Indexed_triangles(triangles)};
       const std::vector<Vertex_loop> loops = Handle_repair(whole)();
       if (loops.empty()) {
         return;
       }
       for (const Vertex_loop& loop : loops) {
-        report_cut(loop);
+        Vector3 center = Vector3::Zero();
+        for (const Index vertex : loop) {
+          center += triangles.points[vertex] / double(loop.size());
+        }
+        m_surface.report.cut_handles.push_back(repair(center, loop_length(triangles.points, loop)));
       }
-      cut_along_loops(m_surface.triangles, whole, loops);
+      cut_along_loops(triangles, whole, loops);
       pair();
       bridge();
     }
   }
 
-  void renumber_canonically()
+  /// The cuts must not depend on the numbering.
+  void renumber_canonically(const Surface_components& components)
   {
-    const Surface_components components(m_surface.triangles);
     const std::vector<Index> order = canonical_order(m_surface.triangles, m_surface.pairing, components);
     renumber(m_surface.triangles, order);
     pair();
     m_surface.point_of_vertex = reordered(m_surface.point_of_vertex, order);
   }
 
-  void report_cut(const Vertex_loop& loop)
-  {
-    const std::vector<Vector3>& points = m_surface.triangles.points;
-    double length = 0;
-    Vector3 center = Vector3::Zero();
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
-      center += points[loop[i]] / double(loop.size());
-    }
-    m_surface.report.cut_handles.push_back(repair(center, length));
-  }
-
   Reconstructed_surface& m_surface;
   const Normalization m_normalization;
-  std::size_t m_number_of_components = 0;
 };
 
 } // namespace CSCD::internal

@@ -111,12 +111,11 @@ inline double squared_circumradius(const Vector3& a, const Vector3& b, const Vec
   return x.squaredNorm() * y.squaredNorm() * (x - y).squaredNorm() / (4 * x.cross(y).squaredNorm());
 }
 
-/// A triangle that is Delaunay in the tangent planes of some of its vertices.
-struct Local_triangle
+/// A triangle that is Delaunay in the tangent planes of some of its vertices, which are in ascending order.
+struct Local_triangle : std::array<Index, 3>
 {
-  std::array<Index, 3> vertices{}; ///< ascending
-  Index votes = 1;                 ///< in how many tangent planes
-  double size = 0;                 ///< the squared radius of its circumcircle
+  Index votes = 1; ///< in how many tangent planes
+  double size = 0; ///< the squared radius of its circumcircle
 };
 
 /// Takes the triangles of most votes first, among those the smallest, and each only if it overlaps none of those taken
@@ -130,11 +129,10 @@ public:
   Triangle_selection(const std::vector<Vector3>& points, const std::vector<Vector3>& normals,
                      std::vector<Local_triangle>&& triangles)
       : m_points(points), m_normals(normals), m_triangles(std::move(triangles)),
-        m_neighbors(
-            points.size(), m_triangles, [](const Local_triangle& triangle) -> auto& { return triangle.vertices; })
+        m_neighbors(vertex_neighbors(points.size(), m_triangles))
   {
     std::sort(m_triangles.begin(), m_triangles.end(), [](const Local_triangle& a, const Local_triangle& b) {
-      return std::make_tuple(b.votes, a.size, a.vertices) < std::make_tuple(a.votes, b.size, b.vertices);
+      return std::tie(b.votes, a.size, a) < std::tie(a.votes, b.size, b);
     });
     lay_out_sectors();
   }
@@ -147,7 +145,7 @@ public:
     const auto cover = [](Sector& sector) { return sector.is_covered = true; };
     for (const Local_triangle& triangle : m_triangles) {
       if (for_each_sector(triangle, is_free)) {
-        result.push_back(triangle.vertices);
+        result.push_back(triangle);
         for_each_sector(triangle, cover);
       }
     }
@@ -213,7 +211,7 @@ private:
   template <class Function>
   bool for_each_sector(const Local_triangle& triangle, const Function& function)
   {
-    const auto [a, b, c] = triangle.vertices;
+    const auto& [a, b, c] = static_cast<const std::array<Index, 3>&>(triangle);
     return for_each_sector(a, b, c, function) && for_each_sector(b, c, a, function) &&
            for_each_sector(c, a, b, function);
   }
@@ -221,7 +219,7 @@ private:
   const std::vector<Vector3>& m_points;
   const std::vector<Vector3>& m_normals;
   std::vector<Local_triangle> m_triangles;
-  Vertex_neighbors m_neighbors;
+  Compressed_rows<Index> m_neighbors;
   std::vector<Sector> m_sectors; // towards them, vertex by vertex, counterclockwise
 };
 

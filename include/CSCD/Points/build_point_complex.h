@@ -61,8 +61,7 @@ inline Vector3 mirrored_normal(const Vector3& normal, const Vector3& edge)
 inline void orient_normals(const std::vector<Vector3>& points, const std::vector<std::array<Index, 3>>& triangles,
                            std::vector<Vector3>& normals)
 {
-  const Vertex_neighbors neighbors(
-      points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; });
+  const Compressed_rows<Index> neighbors = vertex_neighbors(points.size(), triangles);
   const auto cosine = [&](Index a, Index b) {
     return mirrored_normal(normals[a], points[b] - points[a]).dot(normals[b]);
   };
@@ -146,7 +145,7 @@ class Cloud_triangulation
 {
 public:
   explicit Cloud_triangulation(const Point_cloud& cloud)
-      : m_cloud(cloud), m_points(posed(cloud)), m_neighbors(m_points, quadric_neighbors)
+      : m_cloud(cloud), m_points(cloud.pose.places_of(cloud.points)), m_neighbors(m_points, quadric_neighbors)
   {
     m_result.points = cloud.points;
   }
@@ -195,13 +194,6 @@ private:
   /// Whether the neighborhoods reach around the body, and have no tangent planes.
   bool is_small() const { return m_points.size() <= std::size_t(2) * quadric_neighbors; }
 
-  static std::vector<Vector3> posed(const Point_cloud& cloud)
-  {
-    std::vector<Vector3> result(cloud.points.size());
-    std::transform(cloud.points.begin(), cloud.points.end(), result.begin(), cloud.pose);
-    return result;
-  }
-
   /// Measures the noise, and moves the points to the quadrics of their neighborhoods if triangles between them would
   /// fold; again if these still would.
   void smooth()
@@ -235,10 +227,9 @@ private:
   double fit_sheets()
   {
     m_fits.clear();
-    Sheet_fitting fit(m_points, m_neighbors);
     std::vector<double> deviations;
     for (Index point = 0; point < m_points.size(); ++point) {
-      m_fits.push_back(fit(point));
+      m_fits.push_back(fit_sheet(m_points, m_neighbors, point));
       const double deviation = m_fits[point].deviation;
       deviations.push_back(deviation > 0 ? deviation : fit_neighborhood(point).deviation);
     }
@@ -338,10 +329,10 @@ private:
       const std::vector<Index>& ring = star.neighbors();
       for (std::size_t i = star.is_closed() ? 0 : 1; i < ring.size(); ++i) {
         const Index q = ring[i == 0 ? ring.size() - 1 : i - 1];
-        Local_triangle triangle{{p, q, ring[i]}, 1, squared_circumradius(m_points[p], m_points[q], m_points[ring[i]])};
-        if (triangle.size <= max_circle * reach * reach) {
-          std::sort(triangle.vertices.begin(), triangle.vertices.end());
-          proposals.push_back(triangle);
+        const double size = squared_circumradius(m_points[p], m_points[q], m_points[ring[i]]);
+        if (size <= max_circle * reach * reach) {
+          proposals.push_back({{p, q, ring[i]}, 1, size});
+          std::sort(proposals.back().begin(), proposals.back().end());
         }
       }
     }
@@ -350,11 +341,10 @@ private:
 
   static std::vector<Local_triangle> count_votes(std::vector<Local_triangle>&& proposals)
   {
-    std::sort(proposals.begin(), proposals.end(),
-              [](const Local_triangle& a, const Local_triangle& b) { return a.vertices < b.vertices; });
+    std::sort(proposals.begin(), proposals.end());
     std::vector<Local_triangle> result;
     for (const Local_triangle& proposal : proposals) {
-      if (!result.empty() && result.back().vertices == proposal.vertices) {
+      if (!result.empty() && result.back() == proposal) {
         ++result.back().votes;
       } else {
         result.push_back(proposal);
