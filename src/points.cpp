@@ -6,5 +6,4 @@
 #include <CSCD/Graph/Spatial_graph_impl.h>
 #include <CSCD/Points/Point_cloud_impl.h>
 #include <CSCD/Points/Point_solid_impl.h>
-#include <CSCD/Points/consolidate_points_impl.h>
 #include <CSCD/Points/reconstruct_surface_impl.h>

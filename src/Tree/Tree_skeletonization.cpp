@@ -15,15 +15,12 @@
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
-
-#include <CGAL/property_map.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -470,8 +467,7 @@ Tree_report skeletonize_trees(const std::vector<Vector3>& points, const std::opt
                               Skeleton& skeleton)
 {
   const auto start = std::chrono::steady_clock::now();
-  const Point_cloud cloud =
-      thin_to_noise(collect_any_points(points, CGAL::Identity_property_map<Vector3>(), No_normals()));
+  const Point_cloud cloud = thin_to_noise(make_point_cloud(std::vector<Vector3>(points), {}));
   std::optional<Vector3> place;
   if (root) {
     place = cloud.normalization.from_input(*root);

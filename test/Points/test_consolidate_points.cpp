@@ -22,8 +22,7 @@
 
 namespace {
 
-using CSCD::Index, CSCD::Point_cloud, CSCD::Vector3, CSCD::internal::consolidate_points,
-    CSCD::internal::Consolidated_cloud;
+using CSCD::Index, CSCD::Point_cloud, CSCD::Vector3, CSCD::internal::consolidate_points;
 
 constexpr double torus_radius = 3;
 constexpr double tube_radius = 1;
@@ -39,7 +38,7 @@ double distance_from_torus(const Vector3& p)
   return std::abs(std::hypot(std::hypot(p.x(), p.y()) - torus_radius, p.z()) - tube_radius);
 }
 
-Consolidated_cloud consolidated(std::vector<Vector3> points)
+Point_cloud consolidated(std::vector<Vector3> points)
 {
   return consolidate_points(CSCD::make_point_cloud(std::move(points), {}));
 }
@@ -58,22 +57,21 @@ TEST(consolidate_points, leaves_a_cloud_as_it_is_that_is_not_dense)
 {
   const std::vector<Vector3> points = torus_points(3000, 0);
   const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector3>(points), {});
-  const Consolidated_cloud result = consolidated(points);
-  EXPECT_TRUE(cloud.points == result.cloud.points);
-  EXPECT_TRUE(cloud.input_point == result.cloud.input_point);
-  EXPECT_EQ(0u, result.cloud.number_of_thinned_points);
+  const Point_cloud result = consolidated(points);
+  EXPECT_TRUE(cloud.points == result.points);
+  EXPECT_TRUE(cloud.input_point == result.input_point);
+  EXPECT_EQ(0u, result.number_of_thinned_points);
   EXPECT_EQ(0u, result.number_of_outliers);
 }
 
 TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_which_stands_for_it)
 {
   const std::vector<Vector3> points = torus_points(60000, 0);
-  const Consolidated_cloud result = consolidated(points);
-  const Point_cloud& cloud = result.cloud;
+  const Point_cloud cloud = consolidated(points);
   EXPECT_GT(15000u, cloud.points.size());
   EXPECT_LT(4000u, cloud.points.size());
   EXPECT_FALSE(cloud.is_averaged);
-  EXPECT_EQ(0u, result.number_of_outliers);
+  EXPECT_EQ(0u, cloud.number_of_outliers);
   EXPECT_EQ(points.size() - cloud.points.size(), cloud.number_of_thinned_points);
   // Half of the area for each point is a disc of this radius; a covering needs less than three times that.
   const double area = 4 * M_PI * M_PI * torus_radius * tube_radius;
@@ -88,7 +86,7 @@ TEST(consolidate_points, keeps_some_twenty_thousand_points_of_a_long_chain_at_mo
 {
   // Its rings are so thin, compared with the chain, that they stay bent between points.
   const auto points = CSCD::test::sampled(CSCD::test::chain_of_rings(100, 12), 200000, 1);
-  EXPECT_GT(40000u, consolidated(CSCD::test::to_points<Vector3>(points)).cloud.points.size());
+  EXPECT_GT(40000u, consolidated(CSCD::test::to_points<Vector3>(points)).points.size());
 }
 
 TEST(consolidate_points, averages_noise_away)
@@ -96,9 +94,9 @@ TEST(consolidate_points, averages_noise_away)
   constexpr double noise = 0.05;
   const std::vector<Vector3> points = torus_points(60000, noise);
   const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector3>(points), {});
-  const Consolidated_cloud result = consolidated(points);
-  EXPECT_TRUE(result.cloud.is_averaged);
-  EXPECT_LT(mean_distance(result.cloud), 0.5 * mean_distance(cloud));
+  const Point_cloud result = consolidated(points);
+  EXPECT_TRUE(result.is_averaged);
+  EXPECT_LT(mean_distance(result), 0.5 * mean_distance(cloud));
 }
 
 TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
@@ -113,14 +111,13 @@ TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
     for (int i = 0; i < number_of_strays; ++i) {
       points.emplace_back(wide(random), wide(random), high(random));
     }
-    const Consolidated_cloud result = consolidated(points);
     // Points near the torus cannot be distinguished from it.
-    const Point_cloud& cloud = result.cloud;
+    const Point_cloud cloud = consolidated(points);
     for (const Vector3& point : cloud.points) {
       EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));
     }
-    EXPECT_LT(number_of_strays / 2, int(result.number_of_outliers));
-    EXPECT_GT(number_of_strays, int(result.number_of_outliers));
+    EXPECT_LT(number_of_strays / 2, int(cloud.number_of_outliers));
+    EXPECT_GT(number_of_strays, int(cloud.number_of_outliers));
   }
 }
 

@@ -91,8 +91,10 @@ struct Point_cloud
   /// From the coordinates of the input to those of the points.
   Normalization normalization;
   Canonical_pose pose; ///< of the points
-  /// Points of the input that near points, at other places, represent.
+  /// Points of the input that points at other places represent.
   std::size_t number_of_thinned_points = 0;
+  /// Those of them that are far from all others, or spread in space: they belong to the nearest of the others.
+  std::size_t number_of_outliers = 0;
   bool is_averaged = false; ///< whether noise was averaged away: then the points are not at the places of the input
 
   /// The number of points of the input that are at the place of an earlier one.
@@ -102,8 +104,9 @@ struct Point_cloud
 /// Merges equal points, normalizes the rest and puts them into their canonical order; O(n log n). All of them may be at
 /// one place.
 /// \param points of the input, in its coordinates
-/// \param normals one for each point, of unit length or zero where unknown; or none
-/// \throw Input_error if `points` is empty or too large
+/// \param normals one for each point, of any length, zero or not finite where unknown; or none
+/// \throw Input_error naming the point, by its number, that has a coordinate that is not finite; or if `points` is empty
+///        or too large
 Point_cloud make_point_cloud(std::vector<Vector3>&& points, std::vector<Vector3>&& normals);
 
 /// Refuses clouds that cannot have a surface.

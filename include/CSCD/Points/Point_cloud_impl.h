@@ -140,12 +140,20 @@ CSCD_INLINE void check_extent(const Point_cloud& cloud)
 
 CSCD_INLINE Point_cloud make_point_cloud(std::vector<Vector3>&& points, std::vector<Vector3>&& normals)
 {
+  const auto bad = std::find_if(points.begin(), points.end(), [](const Vector3& p) { return !p.allFinite(); });
+  if (bad != points.end()) {
+    throw Input_error("point " + std::to_string(bad - points.begin()) +
+                      " has a coordinate that is not finite: correct it or remove the point");
+  }
   if (points.empty()) {
     throw Input_error("the point set is empty: there is nothing to skeletonize");
   }
   if (points.size() > maximum_number_of_points) {
     throw Input_error("the point set has more than 2^26 points: thin it out first, for instance by "
                       "CGAL::grid_simplify_point_set");
+  }
+  for (Vector3& normal : normals) {
+    normal = normal.allFinite() ? normal.stableNormalized() : Vector3::Zero();
   }
   Point_cloud cloud;
   if (std::all_of(points.begin(), points.end(), [&](const Vector3& p) { return p == points.front(); })) {

@@ -7,25 +7,31 @@
 #define CSCD_POINTS_RECONSTRUCT_SURFACE_H
 
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/Points/Surface_completion.h>
-#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
 
+#include <optional>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
-/// \throw Surface_error if there is none; another Input_error if the points lie in slices that are too far apart
-Reconstructed_surface reconstruct_surface(const Point_cloud& cloud);
+/// What belongs to a solid that is made of points.
+struct Reconstruction
+{
+  Normalization normalization;        ///< from the coordinates of the input to those of the solid
+  std::vector<Index> vertex_of_point; ///< for every point of the input its vertex, or that of the nearest with one
+  Skeletonization_report report;      ///< describes the points and the surface
+  bool is_surface_doubtful = false;   ///< whether the points hardly sample the surface of a body
+};
 
-/// For every point of `cloud`, its vertex in `solid`, or that of the nearest point that has one.
-/// \param solid the solid that was made of the reconstructed surface
-/// \param point_of_vertex that of the reconstructed surface
-std::vector<Index> vertices_of_points(const Triangulated_solid& solid, const Point_cloud& cloud,
-                                      const std::vector<Index>& point_of_vertex);
+/// Thins `cloud`, makes a closed surface of it, and of that `solid`. O(n log n) for points on a surface.
+/// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+/// \throw Surface_error if there is none; another Input_error if the points lie in slices that are too far apart
+Reconstruction reconstruct_surface(Point_cloud&& cloud, unsigned number_of_threads,
+                                   std::optional<Triangulated_solid>& solid);
 
 } // namespace CSCD::internal
 

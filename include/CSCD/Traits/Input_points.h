@@ -9,7 +9,6 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/property_map.h>
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -145,37 +143,19 @@ std::vector<Vector3> coordinates_of(const PointRange& points, const PointMap& po
   return result;
 }
 
-/// Reads `range` into flat arrays; O(n log n). All points may be at one place.
+/// Reads points that a surface can be made of into flat arrays; O(n log n).
 /// \param point_map, normal_map readable maps from the elements of `range` to objects with coordinates `x()`, `y()`,
 ///        `z()`; the second may be `No_normals`
-/// \throw Input_error naming the point, by its number in the order of iteration, that has a coordinate that is not
-///        finite; or if `range` has no or too many points
+/// \throw Input_error as `make_point_cloud()` and `check_extent()` do
 template <class PointRange, class PointMap, class NormalMap>
-Point_cloud collect_any_points(const PointRange& range, const PointMap& point_map,
-                               [[maybe_unused]] const NormalMap& normal_map)
+Point_cloud collect_points(const PointRange& range, const PointMap& point_map,
+                           [[maybe_unused]] const NormalMap& normal_map)
 {
-  std::vector<Vector3> points;
   std::vector<Vector3> normals;
-  for (const auto& element : range) {
-    points.push_back(to_vector_3(get(point_map, element)));
-    if (!points.back().allFinite()) {
-      throw Input_error("point " + std::to_string(points.size() - 1) +
-                        " has a coordinate that is not finite: correct it or remove the point");
-    }
-    if constexpr (!std::is_same_v<NormalMap, No_normals>) {
-      const Vector3 normal = to_vector_3(get(normal_map, element));
-      normals.push_back(normal.allFinite() ? Vector3(normal.stableNormalized()) : Vector3(Vector3::Zero()));
-    }
+  if constexpr (!std::is_same_v<NormalMap, No_normals>) {
+    normals = coordinates_of(range, normal_map);
   }
-  return make_point_cloud(std::move(points), std::move(normals));
-}
-
-/// The same for points that a surface can be made of.
-/// \throw Input_error also if there are too few different points, or all are on a line, or at one place
-template <class PointRange, class PointMap, class NormalMap>
-Point_cloud collect_points(const PointRange& range, const PointMap& point_map, const NormalMap& normal_map)
-{
-  Point_cloud cloud = collect_any_points(range, point_map, normal_map);
+  Point_cloud cloud = make_point_cloud(coordinates_of(range, point_map), std::move(normals));
   check_extent(cloud);
   return cloud;
 }
@@ -186,21 +166,6 @@ Point_cloud collect_points_of(const PointRange& range, const NamedParameters& np
 {
   const auto map = point_map(range, np);
   return with_normal_map(range, np, [&](const auto& normal_map) { return collect_points(range, map, normal_map); });
-}
-
-/// For every vertex of a surface, the points of the input that it stands for.
-/// \param points the range that `cloud` was made from \param vertex_of_point of every point of the cloud
-template <class PointRange>
-Compressed_rows<Point_descriptor<PointRange>> points_of_vertices(const PointRange& points, const Point_cloud& cloud,
-                                                                 const std::vector<Index>& vertex_of_point,
-                                                                 std::size_t number_of_vertices)
-{
-  const std::vector<Point_descriptor<PointRange>> descriptors = descriptors_of(points);
-  return {number_of_vertices, [&](const auto& add) {
-            for (std::size_t i = 0; i < descriptors.size(); ++i) {
-              add(vertex_of_point[cloud.input_point[i]], descriptors[i]);
-            }
-          }};
 }
 
 } // namespace internal

@@ -9,15 +9,12 @@
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/Surface_adapter.h>
-#include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <chrono>
-#include <cstddef>
 #include <utility>
 
 namespace CSCD {
@@ -45,23 +42,18 @@ public:
   template <class NormalMap = internal::No_normals>
   Point_set_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map = NormalMap())
   {
-    const auto start = std::chrono::steady_clock::now();
     const Point_cloud cloud = internal::collect_points(points, point_map, normal_map);
     const Point_solid& solid = this->m_surface.emplace(cloud);
-    const std::size_t number_of_vertices = solid.triangulation().number_of_vertices();
-    this->m_descriptors = internal::points_of_vertices(points, cloud, solid.vertex_of_point(), number_of_vertices);
     this->m_normalization = cloud.normalization;
     // Without a genus: the triangles need not be a surface.
     Skeletonization_report& report = this->m_report;
-    report.number_of_input_vertices = this->m_descriptors.number_of_values();
     report.number_of_surface_components = solid.number_of_components();
     report.add_warning(cloud.number_of_duplicates(), "point at the place of another: it belongs to the same node",
                        "points at the place of others: they belong to the same nodes");
-    report.add_warning(cloud.points.size() - number_of_vertices,
+    report.add_warning(cloud.points.size() - solid.triangulation().number_of_vertices(),
                        "point in a small fragment or alone: it belongs to the node of the nearest",
                        "points in small fragments or alone: they belong to the nodes of the nearest");
-    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    this->describe(internal::descriptors_of(points), internal::reordered(solid.vertex_of_point(), cloud.input_point));
   }
   /// The same, with the point map of a `CGAL::Point_set_3`; of other ranges the elements are the points.
   explicit Point_set_traits(const PointRange& points) : Point_set_traits(points, internal::default_point_map(points)) {}

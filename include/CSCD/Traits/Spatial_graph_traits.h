@@ -8,19 +8,16 @@
 
 #include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Surface_adapter.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
-#include <CSCD/internal/flat_arrays.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/iterator_range_core.hpp>
 #include <boost/unordered_map.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -53,7 +50,6 @@ public:
   ///        negative, or the graph is empty
   Spatial_graph_traits(const Graph& graph, const VertexPointMap& point_map)
   {
-    const auto start = std::chrono::steady_clock::now();
     std::vector<Input_descriptor> descriptors;
     std::vector<Vector3> points;
     std::vector<double> radii;
@@ -80,24 +76,15 @@ public:
       throw Input_error("the graph has no vertices: check how the input was written");
     }
     const Spatial_graph& surface = this->m_surface.emplace(std::move(points), graph_edges, radii);
-    const std::vector<Index>& vertex_of_point = surface.vertex_of_point();
-    this->m_descriptors =
-        internal::Compressed_rows<Input_descriptor>(surface.number_of_vertices(), [&](const auto& add) {
-          for (std::size_t i = 0; i < descriptors.size(); ++i) {
-            add(vertex_of_point[i], descriptors[i]);
-          }
-        });
     this->m_normalization = surface.normalization();
     Skeletonization_report& report = this->m_report; // without a genus: a graph has none
-    report.number_of_input_vertices = descriptors.size();
     report.number_of_surface_components = surface.number_of_components();
     report.add_warning(surface.number_of_duplicates(), "vertex at the place of another: it belongs to the same node",
                        "vertices at the place of others: they belong to the same nodes");
     report.add_warning(surface.number_of_unused_edges(),
                        "edge from a vertex to itself or parallel to another: left out",
                        "edges from a vertex to itself or parallel to others: left out");
-    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    this->describe(descriptors, surface.vertex_of_point());
   }
   /// A temporary graph is refused: the descriptors would refer to it.
   Spatial_graph_traits(Graph&&, const VertexPointMap&) = delete;

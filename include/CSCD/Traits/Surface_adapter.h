@@ -7,13 +7,17 @@
 #define CSCD_TRAITS_SURFACE_ADAPTER_H
 
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 
+#include <chrono>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CSCD {
 
@@ -63,10 +67,31 @@ protected:
     m_report = surface().report();
   }
 
+  /// Fills the rows of descriptors, and notes the number of them and the time since the construction began.
+  /// \param descriptors of all vertices or points of the input
+  /// \param vertices for each of them, the vertex of the surface that it belongs to
+  void describe(const std::vector<Input_descriptor>& descriptors, const std::vector<Index>& vertices)
+  {
+    m_descriptors = internal::Compressed_rows<Input_descriptor>(surface().triangulation().number_of_vertices(),
+                                                                [&](const auto& add) {
+                                                                  for (std::size_t i = 0; i < descriptors.size(); ++i) {
+                                                                    add(vertices[i], descriptors[i]);
+                                                                  }
+                                                                });
+    m_report.number_of_input_vertices = descriptors.size();
+    m_report.seconds[std::size_t(Skeletonization_stage::compile_surface)] =
+        std::chrono::duration<double>(Clock::now() - m_start).count();
+  }
+
   std::optional<Surface> m_surface;                          ///< the surface
   internal::Compressed_rows<Input_descriptor> m_descriptors; ///< of every vertex
   Normalization m_normalization;                             ///< the coordinates of the surface
   Skeletonization_report m_report;                           ///< the description of the input
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point m_start = Clock::now();
 };
 
 } // namespace CSCD
