@@ -9,7 +9,7 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Prepared_distances.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>

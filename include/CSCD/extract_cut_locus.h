@@ -10,7 +10,7 @@
 #include <CSCD/Published/Cut_locus_extraction.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>

@@ -14,7 +14,6 @@
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/close_surface.h>
-#include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Box_tree.h>

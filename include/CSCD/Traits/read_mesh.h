@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads a mesh of any type into plain arrays.
+// Reads a mesh of any type into plain arrays, and refuses one that is not a manifold.
 
 #ifndef CSCD_TRAITS_READ_MESH_H
 #define CSCD_TRAITS_READ_MESH_H
 
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -18,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -93,6 +96,43 @@ Mesh_arrays<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> read_
     result.faces.push_back(read_corners(mesh, numbers, face, result.faces.size()));
   }
   return result;
+}
+
+/// The triangles of a mesh, and where they came from.
+template <class VertexDescriptor>
+struct Collected_triangles : Checked_triangles
+{
+  std::vector<VertexDescriptor> descriptors; ///< the vertices of the points
+};
+
+/// Reads `mesh` into points and index triples. Vertices and faces keep the iteration order of the mesh; vertices
+/// without a face are left out. Linear where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear
+/// otherwise.
+/// \param mesh a model of `FaceListGraph`
+/// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
+/// \throw Input_error as `read_mesh()` and `check_triangles()` do
+template <class TriangleMesh, class VertexPointMap>
+Collected_triangles<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
+{
+  auto arrays = read_mesh(mesh, point_map);
+  Checked_triangles checked = check_triangles(std::move(arrays.points), std::move(arrays.faces));
+  auto descriptors = reordered(arrays.descriptors, checked.input_number);
+  return {std::move(checked), std::move(descriptors)};
+}
+
+/// The numbers of the vertices of `mesh` among `descriptors`; `no_index` for a vertex without a face. Linear.
+template <class TriangleMesh, class VertexDescriptor>
+auto vertex_numbers(const TriangleMesh& mesh, const std::vector<VertexDescriptor>& descriptors)
+{
+  auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  for (const VertexDescriptor vertex : vertices(mesh)) {
+    put(numbers, vertex, no_index);
+  }
+  for (Index i = 0; i < descriptors.size(); ++i) {
+    put(numbers, descriptors[i], i);
+  }
+  return numbers;
 }
 
 } // namespace CSCD::internal
