@@ -32,9 +32,10 @@ class Graph_separator_finder
 {
 public:
   explicit Graph_separator_finder(const Spatial_graph& graph)
-      : m_graph(graph), m_heap(graph.number_of_vertices()), m_reached(graph.number_of_vertices()),
-        m_passed(graph.number_of_vertices()), m_labeled(graph.number_of_vertices()),
-        m_queued(graph.number_of_vertices()), m_key(graph.number_of_vertices()), m_label(graph.number_of_vertices())
+      : m_graph(graph), m_heap(graph.number_of_vertices()), m_in_band(graph.number_of_vertices()),
+        m_reached(graph.number_of_vertices()), m_passed(graph.number_of_vertices()),
+        m_labeled(graph.number_of_vertices()), m_queued(graph.number_of_vertices()), m_key(graph.number_of_vertices()),
+        m_label(graph.number_of_vertices())
   {
   }
 
@@ -256,27 +257,17 @@ private:
     if (!has_two_sides()) {
       return false;
     }
-    for (const Index vertex : separator) {
-      m_key[vertex] = std::numeric_limits<float>::max();
-    }
-    m_queued.clear();
-    m_queued.mark(start);
-    m_key[start] = 0;
-    m_heap.push(start, 0);
-    while (!m_heap.empty()) {
-      const Index vertex = m_heap.pop().vertex;
+    m_in_band.clear();
+    m_in_band.reach(start, 0);
+    m_in_band.spread([this](Index vertex, float distance) {
       for (const Index halfedge : m_graph.outgoing(vertex)) {
-        const Index neighbor = m_graph.target(halfedge);
-        const float distance = m_key[vertex] + float(m_graph.length(halfedge));
-        if (m_passed.is_marked(neighbor) && distance < m_key[neighbor]) {
-          m_key[neighbor] = distance;
-          if (m_queued.mark(neighbor)) {
-            m_heap.push(neighbor, distance);
-          } else {
-            m_heap.decrease(neighbor, distance);
-          }
+        if (m_passed.is_marked(m_graph.target(halfedge))) {
+          m_in_band.reach(m_graph.target(halfedge), distance + float(m_graph.length(halfedge)));
         }
       }
+    });
+    for (const Index vertex : separator) {
+      m_key[vertex] = m_in_band.is_reached(vertex) ? m_in_band.distance(vertex) : std::numeric_limits<float>::max();
     }
     thin(separator);
     return true;
@@ -284,6 +275,7 @@ private:
 
   const Spatial_graph& m_graph;
   Indexed_heap m_heap;
+  Dijkstra_search m_in_band; ///< shortest paths in a band
   Epoch_marks m_reached;
   Epoch_marks m_passed;
   Epoch_marks m_labeled;

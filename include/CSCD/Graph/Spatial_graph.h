@@ -6,15 +6,12 @@
 #ifndef CSCD_GRAPH_SPATIAL_GRAPH_H
 #define CSCD_GRAPH_SPATIAL_GRAPH_H
 
+#include <CSCD/Points/Point_complex.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/config.h>
-#include <CSCD/internal/flat_arrays.h>
 
-#include <CGAL/Iterator_range.h>
-
-#include <boost/iterator/counting_iterator.hpp>
-
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +22,7 @@ namespace CSCD {
 /// Vertices at one place are one vertex; edges from a vertex to itself are left out, and all but the shortest of
 /// parallel edges. Vertices are numbered in an order that depends, except for symmetries, on the positions alone. All
 /// functions are const and may be called by several threads at once.
-class Spatial_graph
+class Spatial_graph : public Halfedge_graph
 {
 public:
   /// An edge of the input.
@@ -35,9 +32,6 @@ public:
     Index target = 0;  ///< the number of another one
     double length = 0; ///< how far it is along the edge, in the unit of the points
   };
-  /// The halfedges from a vertex, one after the other.
-  using Halfedge_range = CGAL::Iterator_range<boost::counting_iterator<Index>>;
-
   /// Makes a graph of points and edges of an input; O(n log n).
   /// \param points of the vertices, finite
   /// \param edges between them, of lengths that are finite and not negative
@@ -45,41 +39,20 @@ public:
   /// \throw Input_error if `points` is empty or too large
   Spatial_graph(std::vector<Vector3> points, const std::vector<Edge>& edges, const std::vector<double>& radii = {});
 
-  /// \name As of a SurfaceTriangulation, except for faces
-  /// @{
-
-  /// The vertices have numbers from 0.
-  Index number_of_vertices() const { return Index(m_points.size()); }
-  /// Two for each edge, with numbers from 0.
-  Index number_of_halfedges() const { return Index(m_halfedges.number_of_values()); }
-  /// The vertex at which the halfedge begins.
-  Index origin(Index halfedge) const { return target(twin(halfedge)); }
-  /// The vertex at which the halfedge ends.
-  Index target(Index halfedge) const { return m_halfedges.values()[halfedge].target; }
-  /// The other halfedge of the edge.
-  Index twin(Index halfedge) const { return m_halfedges.values()[halfedge].twin; }
-  /// The halfedges that begin at the vertex.
-  Halfedge_range outgoing(Index vertex) const
-  {
-    const Index begin = m_halfedges.begin(vertex);
-    return {boost::counting_iterator<Index>(begin), boost::counting_iterator<Index>(begin + m_halfedges.size(vertex))};
-  }
-  /// Of the vertices.
-  const std::vector<Vector3>& points() const { return m_points; }
-  /// Of the edge, in the unit of the points.
-  double length(Index halfedge) const { return m_halfedges.values()[halfedge].length; }
   /// The weight of a vertex in means: on an evenly sampled surface, about twice the area that belongs to it.
   double vertex_area(Index vertex) const { return m_area[vertex]; }
   /// The graph itself, the input of the stages of the pipeline.
   const Spatial_graph& triangulation() const { return *this; }
-  /// @}
-
   /// The radius of the part that the vertex stands for; 0 where none was given.
   double radius(Index vertex) const { return m_radius.empty() ? 0 : m_radius[vertex]; }
   /// Whether most edges are part of a cycle of three: if not, cycles of four edges take the place of faces, too.
   bool is_triangulated() const { return m_is_triangulated; }
   /// Whether an edge leads from `vertex` to `other`.
-  bool is_adjacent(Index vertex, Index other) const;
+  bool is_adjacent(Index vertex, Index other) const
+  {
+    const auto targets = m_targets[vertex];
+    return std::binary_search(targets.begin(), targets.end(), other);
+  }
   /// For every point of the input, its vertex.
   const std::vector<Index>& vertex_of_point() const { return m_vertex_of_point; }
   /// From the coordinates of the input to those of the graph.
@@ -92,20 +65,11 @@ public:
   std::size_t number_of_unused_edges() const { return m_number_of_unused_edges; }
 
 private:
-  struct Halfedge
-  {
-    Index target = 0;
-    Index twin = 0;
-    double length = 0;
-  };
-
   void join(const std::vector<Edge>& edges);
   void measure();
 
-  std::vector<Vector3> m_points;
   std::vector<double> m_radius;
   std::vector<double> m_area;
-  internal::Compressed_rows<Halfedge> m_halfedges; // of every vertex, by their targets
   std::vector<Index> m_vertex_of_point;
   Normalization m_normalization;
   bool m_is_triangulated = false;

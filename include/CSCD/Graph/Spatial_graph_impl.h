@@ -17,6 +17,21 @@
 #include <utility>
 #include <vector>
 
+namespace CSCD::internal {
+
+/// Sorts edges, and removes all but the shortest of those with the same source and target.
+inline void keep_shortest(std::vector<Spatial_graph::Edge>& edges)
+{
+  using Edge = Spatial_graph::Edge;
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.source, a.target, a.length) < std::tie(b.source, b.target, b.length);
+  });
+  const auto are_parallel = [](const Edge& a, const Edge& b) { return a.source == b.source && a.target == b.target; };
+  edges.erase(std::unique(edges.begin(), edges.end(), are_parallel), edges.end());
+}
+
+} // namespace CSCD::internal
+
 namespace CSCD {
 
 CSCD_INLINE Spatial_graph::Spatial_graph(std::vector<Vector3> points, const std::vector<Edge>& edges,
@@ -47,30 +62,29 @@ CSCD_INLINE void Spatial_graph::join(const std::vector<Edge>& edges)
       kept.push_back({a, b, edge.length / m_normalization.unit});
     }
   }
-  std::sort(kept.begin(), kept.end(), [](const Edge& a, const Edge& b) {
-    return std::tie(a.source, a.target, a.length) < std::tie(b.source, b.target, b.length);
-  });
-  kept.erase(std::unique(kept.begin(), kept.end(),
-                         [](const Edge& a, const Edge& b) { return a.source == b.source && a.target == b.target; }),
-             kept.end());
+  internal::keep_shortest(kept);
   m_number_of_unused_edges = edges.size() - kept.size();
   // Sorted by source, then by target: so are the rows.
-  m_halfedges = internal::Compressed_rows<Halfedge>(m_points.size(), [&kept](const auto& add) {
+  m_targets = internal::Compressed_rows<Index>(m_points.size(), [&kept](const auto& add) {
     for (const Edge& edge : kept) {
-      add(edge.target, Halfedge{edge.source, no_index, edge.length});
+      add(edge.target, edge.source);
     }
     for (const Edge& edge : kept) {
-      add(edge.source, Halfedge{edge.target, no_index, edge.length});
+      add(edge.source, edge.target);
     }
   });
-  std::vector<Index> next(m_points.size()); // the first halfedge of each vertex whose twin is not known
+  std::vector<Index> next; // the first halfedge of each vertex whose twin is not known
   for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-    next[vertex] = m_halfedges.begin(vertex);
+    next.push_back(m_targets.begin(vertex));
   }
-  Halfedge* const halfedges = m_points.empty() ? nullptr : m_halfedges[0].begin();
-  for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-    for (const Index halfedge : outgoing(vertex)) {
-      halfedges[halfedge].twin = next[halfedges[halfedge].target]++;
+  for (const Index target : m_targets.values()) {
+    m_twins.push_back(next[target]++);
+  }
+  m_lengths.resize(m_twins.size());
+  auto edge = kept.begin();
+  for (Index h = 0; h < number_of_halfedges(); ++h) {
+    if (origin(h) < target(h)) {
+      m_lengths[h] = m_lengths[twin(h)] = (edge++)->length;
     }
   }
 }
@@ -96,18 +110,10 @@ CSCD_INLINE void Spatial_graph::measure()
       m_number_of_components -= components.join(vertex, target(halfedge)) ? 1 : 0;
     }
     if (sum > 0) {
-      const double mean = sum / double(m_halfedges.size(vertex));
+      const double mean = sum / double(m_targets.size(vertex));
       m_area[vertex] = mean * mean;
     }
   }
-}
-
-CSCD_INLINE bool Spatial_graph::is_adjacent(Index vertex, Index other) const
-{
-  const auto halfedges = m_halfedges[vertex];
-  const auto place = std::lower_bound(halfedges.begin(), halfedges.end(), other,
-                                      [](const Halfedge& h, Index target) { return h.target < target; });
-  return place != halfedges.end() && place->target == other;
 }
 
 CSCD_INLINE std::vector<Spatial_graph::Edge> neighbor_edges(const std::vector<Vector3>& points,
@@ -123,11 +129,7 @@ CSCD_INLINE std::vector<Spatial_graph::Edge> neighbor_edges(const std::vector<Ve
       result.push_back({source, target, table.distances(a).begin()[i]});
     }
   }
-  const auto key = [](const Spatial_graph::Edge& edge) { return std::tie(edge.source, edge.target); };
-  std::sort(result.begin(), result.end(), [&key](const auto& a, const auto& b) { return key(a) < key(b); });
-  result.erase(
-      std::unique(result.begin(), result.end(), [&key](const auto& a, const auto& b) { return key(a) == key(b); }),
-      result.end());
+  internal::keep_shortest(result);
   return result;
 }
 

@@ -56,33 +56,12 @@ Compressed_rows<Index> vertex_neighbors(std::size_t number_of_vertices, const st
 
 } // namespace internal
 
-/// Points joined by edges and triangles, nearly a surface: an edge may have one triangle, two, or more, and the
-/// triangles around a vertex need not form one fan. Immutable. Every edge belongs to a triangle; a vertex may have
-/// none.
-///
-/// Halfedges are numbered vertex by vertex, and for each counterclockwise around its normal.
-class Point_complex
+/// Points joined by edges. Halfedges are numbered vertex by vertex. Derived classes make the edges.
+class Halfedge_graph
 {
 public:
   /// Consecutive halfedges.
   using Halfedge_range = boost::iterator_range<boost::counting_iterator<Index>>;
-
-  Point_complex() = default;
-
-  /// Joins `points` by `triangles`; O(n) for bounded degrees.
-  /// \param points, normals the normals are of unit length
-  /// \param triangles the vertices of each, counterclockwise as the normals see it; no two have the same vertices
-  Point_complex(std::vector<Vector3>&& points, std::vector<Vector3>&& normals,
-                const std::vector<std::array<Index, 3>>& triangles)
-      : m_points(std::move(points)), m_normals(std::move(normals))
-  {
-    CGAL_precondition(m_points.size() == m_normals.size());
-    find_neighbors(triangles);
-    find_twins();
-    find_faces(triangles);
-    m_component = internal::sets_of_vertices(triangles, m_points.size()).numbers(m_number_of_components);
-    measure_areas();
-  }
 
   /// \name Vertices
   /// @{
@@ -93,22 +72,14 @@ public:
   const std::vector<Vector3>& points() const { return m_points; }
   /// The position of `vertex`.
   const Vector3& point(Index vertex) const { return m_points[vertex]; }
-  /// The normal at `vertex`, of unit length: it agrees with those of the neighbors, and points outwards.
-  const Vector3& normal(Index vertex) const { return m_normals[vertex]; }
-  /// The share of the surface that belongs to `vertex`: a third of its triangles, less where they overlap.
-  double vertex_area(Index vertex) const { return m_areas[vertex]; }
-  /// Vertices joined by edges are in one component; a vertex without edges is one by itself.
-  Index number_of_components() const { return m_number_of_components; }
-  /// The connected component of `vertex`.
-  Index component(Index vertex) const { return m_component[vertex]; }
   /// @}
 
   /// \name Halfedges
   /// @{
 
-  /// The number of halfedges.
+  /// The number of halfedges, two for each edge.
   Index number_of_halfedges() const { return Index(m_targets.number_of_values()); }
-  /// The halfedges from `vertex`, counterclockwise.
+  /// The halfedges from `vertex`.
   Halfedge_range outgoing(Index vertex) const
   {
     return {boost::counting_iterator<Index>(m_targets.begin(vertex)),
@@ -120,6 +91,52 @@ public:
   Index target(Index halfedge) const { return m_targets.values()[halfedge]; }
   /// The halfedge from the target of `halfedge` to its origin.
   Index twin(Index halfedge) const { return m_twins[halfedge]; }
+  /// The length of `halfedge`.
+  double length(Index halfedge) const { return m_lengths[halfedge]; }
+  /// @}
+
+protected:
+  std::vector<Vector3> m_points;              ///< of every vertex
+  internal::Compressed_rows<Index> m_targets; ///< of every halfedge, vertex by vertex
+  std::vector<Index> m_twins;                 ///< of every halfedge
+  std::vector<double> m_lengths;              ///< of every halfedge
+};
+
+/// Points joined by edges and triangles, nearly a surface: an edge may have one triangle, two, or more, and the
+/// triangles around a vertex need not form one fan. Immutable. Every edge belongs to a triangle; a vertex may have
+/// none. The halfedges of each vertex run counterclockwise around its normal.
+class Point_complex : public Halfedge_graph
+{
+public:
+  Point_complex() = default;
+
+  /// Joins `points` by `triangles`; O(n) for bounded degrees.
+  /// \param points, normals the normals are of unit length
+  /// \param triangles the vertices of each, counterclockwise as the normals see it; no two have the same vertices
+  Point_complex(std::vector<Vector3>&& points, std::vector<Vector3>&& normals,
+                const std::vector<std::array<Index, 3>>& triangles)
+      : m_normals(std::move(normals))
+  {
+    m_points = std::move(points);
+    CGAL_precondition(m_points.size() == m_normals.size());
+    find_neighbors(triangles);
+    find_twins();
+    find_faces(triangles);
+    m_component = internal::sets_of_vertices(triangles, m_points.size()).numbers(m_number_of_components);
+    measure_areas();
+  }
+
+  /// \name Vertices and halfedges
+  /// @{
+
+  /// The normal at `vertex`, of unit length: it agrees with those of the neighbors, and points outwards.
+  const Vector3& normal(Index vertex) const { return m_normals[vertex]; }
+  /// The share of the surface that belongs to `vertex`: a third of its triangles, less where they overlap.
+  double vertex_area(Index vertex) const { return m_areas[vertex]; }
+  /// Vertices joined by edges are in one component; a vertex without edges is one by itself.
+  Index number_of_components() const { return m_number_of_components; }
+  /// The connected component of `vertex`.
+  Index component(Index vertex) const { return m_component[vertex]; }
   /// The halfedge that represents the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, m_twins[halfedge]); }
   /// The halfedge from `origin` to `target`, `no_index` if there is none.
@@ -129,8 +146,6 @@ public:
     const auto found = std::find(targets.begin(), targets.end(), target);
     return found == targets.end() ? no_index : m_targets.begin(origin) + Index(found - targets.begin());
   }
-  /// The length of `halfedge`.
-  double length(Index halfedge) const { return m_lengths[halfedge]; }
   /// 0 without edges.
   double mean_edge_length() const { return m_mean_edge_length; }
   /// @}
@@ -221,14 +236,10 @@ private:
     }
   }
 
-  std::vector<Vector3> m_points;
-  std::vector<Vector3> m_normals;
-  std::vector<double> m_areas;                // of every vertex
-  std::vector<Index> m_component;             // of every vertex
-  internal::Compressed_rows<Index> m_targets; // of every halfedge, vertex by vertex
-  std::vector<Index> m_twins;                 // of every halfedge
-  std::vector<double> m_lengths;              // of every halfedge
-  std::vector<std::array<Index, 3>> m_faces;  // their halfedges
+  std::vector<Vector3> m_normals;            // of every vertex
+  std::vector<double> m_areas;               // of every vertex
+  std::vector<Index> m_component;            // of every vertex
+  std::vector<std::array<Index, 3>> m_faces; // their halfedges
   double m_mean_edge_length = 0;
   Index m_number_of_components = 0;
 };
