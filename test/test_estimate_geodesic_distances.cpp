@@ -96,9 +96,8 @@ TEST(Heat_method, gives_on_the_same_triangles_what_cgal_gives)
     Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
     Distance_map theirs = add_map(mesh);
     CGAL::Heat_method_3::estimate_geodesic_distances(mesh, theirs, Vertex(17), CGAL::Heat_method_3::Direct());
-    const CSCD::internal::Heat_method method(CSCD::internal::Intrinsic_triangulation(CSCD::test::to_surface(shape)));
-    std::vector<double> ours;
-    CSCD::internal::Heat_workspace()(method, {CSCD::internal::Geodesic_source::at_vertex(17)}, ours);
+    const CSCD::internal::Intrinsic_triangulation triangulation(CSCD::test::to_surface(shape));
+    const std::vector<double> ours = CSCD::internal::distances_from_vertices(triangulation, {17});
     const double largest = *std::max_element(ours.begin(), ours.end());
     for (const Vertex vertex : mesh.vertices()) {
       // CGAL adds 1e-8 to the diagonals of both matrices.

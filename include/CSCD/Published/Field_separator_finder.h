@@ -19,12 +19,10 @@
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -126,60 +124,75 @@ private:
   std::vector<Vector3> m_points;
 };
 
-/// The result of the search for the separator of one source by its distance field.
-struct Field_search_result
+/// What all threads share that seek separators on a surface from distance fields, prepared once. Distances, cut points,
+/// paths and loops belong to the intrinsic Delaunay triangulation (appendix G.1), including faces that fill holes.
+/// \tparam Surface a model of `SurfaceTriangulation`; there is a specialization for `Point_complex`
+template <class Surface>
+struct Field_search_space
 {
-  /// `found`, or the reason why there is none.
-  Cut_loop_outcome loop = Cut_loop_outcome::no_cut_point;
-  /// Where a loop was found, how its shortening ended; `collapsed` otherwise.
-  Shortening_outcome shortening = Shortening_outcome::collapsed;
-  Separator separator; ///< where a loop was found that did not collapse
+  using Measures = Cut_locus_indicators;
+  using Shortening = Separator_flip_shortening<Surface>;
+
+  /// \param input is referred to and must outlive this object
+  explicit Field_search_space(const Surface& input)
+      : surface(input), triangulation(make_intrinsic_delaunay(input)), frames(triangulation), heat_method(triangulation)
+  {
+  }
+
+  Shortening make_shortening() const { return {surface, triangulation}; }
+
+  const Surface& surface;
+  Intrinsic_triangulation triangulation;
+  Tangent_frames frames;
+  Heat_method heat_method;
+};
+
+/// Point clouds: the heat method on the intrinsic Delaunay triangulation of the tufted cover, loops along the edges of
+/// the complex, and the variational flow.
+template <>
+struct Field_search_space<Point_complex>
+{
+  using Measures = Point_cut_locus_indicators;
+  using Shortening = Separator_variational_shortening;
+
+  /// \param complex is referred to and must outlive this object
+  explicit Field_search_space(const Point_complex& complex)
+      : surface(complex), heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
+        frames(complex, heat_method.elements), projection(complex)
+  {
+  }
+
+  Shortening make_shortening() const { return {surface, projection}; }
+
+  const Point_complex& surface;
+  Heat_method heat_method;
+  Point_frames frames;
+  Moving_least_squares_projection projection;
 };
 
 /// Finds separators from distance fields as published (Alg. 3): cut points by the thresholds of Laplacian and gradient
 /// angle or the cut locus, the target, two paths back from it, and shortening within the locality ball. One object
 /// serves one thread; it keeps working memory of the size of the surface.
-/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
-/// \tparam Shortening `Separator_flip_shortening` or `Separator_variational_shortening`
-template <class Measures, class Shortening>
+/// \tparam Space a `Field_search_space`
+template <class Space>
 class Field_separator_finder
 {
 public:
-  using Frames = typename Measures::Frames;
-
-  /// \param frames is referred to, as \param points, the positions of the vertices, and \param settings: which cut
-  ///        point is the target, and what cut points are
-  /// \param domain, data what `Shortening` is constructed with
-  template <class Domain, class Data>
-  Field_separator_finder(const Frames& frames, const std::vector<Vector3>& points,
-                         const Field_search_settings& settings, const Domain& domain, const Data& data)
-      : m_frames(frames), m_points(points), m_settings(settings), m_cut_locus(Measures::default_settings()),
-        m_loop_finder(frames, points), m_shorten(domain, data)
+  /// \param space is referred to, as \param settings: which cut point is the target, and what cut points are
+  Field_separator_finder(const Space& space, const Field_search_settings& settings)
+      : m_frames(space.frames), m_settings(settings), m_cut_locus(Measures::default_settings()),
+        m_loop_finder(space.frames, space.surface.points()), m_shorten(space.make_shortening())
   {
     m_cut_locus.laplacian_threshold = settings.laplacian_threshold.value_or(m_cut_locus.laplacian_threshold);
     m_cut_locus.angle_threshold = settings.angle_threshold.value_or(m_cut_locus.angle_threshold);
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
-    m_has_handles =
-        Measures::knows_loops && settings.cut_locus_rule == Cut_locus_rule::tree && has_handles(frames.triangulation());
-  }
-  Field_separator_finder(const Field_separator_finder&) = delete;
-  Field_separator_finder& operator=(const Field_separator_finder&) = delete;
-  ~Field_separator_finder() = default;
-
-  /// Seeks the separator of `source`; `distances` has the distance of every vertex from there. O(n) for n vertices,
-  /// though the loop takes most of the work; O(n log n) where the tree of the cut locus is built.
-  void operator()(Index source, const std::vector<double>& distances, Field_search_result& result)
-  {
-    result.loop = find_loop(source, m_points[source], distances).outcome;
-    result.shortening = Shortening_outcome::collapsed;
-    if (m_loop.outcome == Cut_loop_outcome::found) {
-      result.separator.source = source;
-      result.shortening = m_shorten(m_loop.halfedges, source, result.separator);
-    }
+    m_has_handles = Measures::knows_loops && settings.cut_locus_rule == Cut_locus_rule::tree &&
+                    has_handles(m_frames.triangulation());
   }
 
-  /// Finds only the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths. The
-  /// loop is valid until the next call.
+  /// Finds the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths; `distances`
+  /// has the distance of every vertex from there. The loop is valid until the next call. O(n) for n vertices, though
+  /// the loop takes most of the work; O(n log n) where the tree of the cut locus is built.
   const Cut_loop& find_loop(Index source, const Vector3& source_point, const std::vector<double>& distances)
   {
     const Measures measures(m_frames, distances);
@@ -195,85 +208,22 @@ public:
     return m_loop;
   }
 
+  /// Shortens the loop along `halfedges` to the separator of `source`.
+  Shortening_outcome shorten(const std::vector<Index>& halfedges, Index source, Separator& separator)
+  {
+    return m_shorten(halfedges, source, separator);
+  }
+
 private:
-  const Frames& m_frames;
-  const std::vector<Vector3>& m_points;
+  using Measures = typename Space::Measures;
+
+  const typename Measures::Frames& m_frames;
   const Field_search_settings& m_settings;
   Cut_locus_settings m_cut_locus;
   bool m_has_handles = false;
   Cut_loop_finder<Measures> m_loop_finder;
-  Shortening m_shorten;
+  typename Space::Shortening m_shorten;
   Cut_loop m_loop;
-};
-
-/// Estimates distances on a surface and finds separators from them: prepared once, shared by all threads. Distances,
-/// cut points, paths and loops belong to the intrinsic Delaunay triangulation (appendix G.1), including faces that fill
-/// holes.
-/// \tparam Surface a model of `SurfaceTriangulation`; there is a specialization for `Point_complex`
-template <class Surface>
-class Field_search_space
-{
-public:
-  using Finder = Field_separator_finder<Cut_locus_indicators, Separator_flip_shortening<Surface>>;
-
-  /// \param surface is referred to and must outlive this object
-  Field_search_space(const Surface& surface, const Field_search_settings& settings)
-      : m_surface(surface), m_settings(settings), m_triangulation(make_intrinsic_delaunay(surface)),
-        m_frames(m_triangulation), m_heat_method(m_triangulation)
-  {
-  }
-  Field_search_space(const Field_search_space&) = delete;
-  Field_search_space& operator=(const Field_search_space&) = delete;
-  ~Field_search_space() = default;
-
-  const Heat_method& heat_method() const { return m_heat_method; }
-  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
-  double mean_edge_length() const { return m_frames.mean_edge_length(); }
-
-  /// Makes a finder, which refers to this object.
-  std::unique_ptr<Finder> make_finder() const
-  {
-    return std::make_unique<Finder>(m_frames, m_surface.points(), m_settings, m_surface, m_triangulation);
-  }
-
-private:
-  const Surface& m_surface;
-  Field_search_settings m_settings;
-  Intrinsic_triangulation m_triangulation;
-  Tangent_frames m_frames;
-  Heat_method m_heat_method;
-};
-
-/// Point clouds: the heat method on the intrinsic Delaunay triangulation of the tufted cover, loops along the edges of
-/// the complex, and the variational flow.
-template <>
-class Field_search_space<Point_complex>
-{
-public:
-  using Finder = Field_separator_finder<Point_cut_locus_indicators, Separator_variational_shortening>;
-
-  /// \param complex is referred to and must outlive this object
-  Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
-      : m_complex(complex), m_settings(settings), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
-        m_frames(complex, m_heat_method.elements), m_projection(complex)
-  {
-  }
-  Field_search_space(Point_complex&&, const Field_search_settings&) = delete;
-
-  const Heat_method& heat_method() const { return m_heat_method; }
-
-  /// Makes a finder, which refers to this object.
-  std::unique_ptr<Finder> make_finder() const
-  {
-    return std::make_unique<Finder>(m_frames, m_complex.points(), m_settings, m_complex, m_projection);
-  }
-
-private:
-  const Point_complex& m_complex;
-  Field_search_settings m_settings;
-  Heat_method m_heat_method;
-  Point_frames m_frames;
-  Moving_least_squares_projection m_projection;
 };
 
 } // namespace CSCD::internal

@@ -25,8 +25,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -194,7 +196,6 @@ struct Heat_method
     faces.reserve(elements.faces().size());
     for (const Cotangent_elements::Face& face : elements.faces()) {
       faces.push_back({{solver.place(face.vertices[0]), solver.place(face.vertices[1]), solver.place(face.vertices[2])},
-                       elements.component(face.vertices[0]),
                        face.layout});
     }
     const auto first_place = [](const Face& face) { return *std::min_element(face.places.begin(), face.places.end()); };
@@ -206,7 +207,6 @@ struct Heat_method
   struct Face
   {
     std::array<Index, 3> places; ///< of its corners
-    Index component;
     Face_layout layout;
   };
 
@@ -247,20 +247,14 @@ public:
 private:
   using Row = Lanes<lanes>;
   using Face = Heat_method::Face;
+  using Lane_set = std::uint8_t; // a bit for each lane
+  static_assert(lanes <= std::numeric_limits<Lane_set>::digits);
 
   /// The power of two below which heat is left to the next stage. Numbers still have full precision down to 2^-1022:
   /// only products with a number less than 2^-122 are lost here, and every sum loses these.
   static constexpr int frontier_exponent = -900;
-  static constexpr std::uint8_t all_lanes = (1U << lanes) - 1;
+  static constexpr Lane_set all_lanes = (1U << lanes) - 1;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  /// Where a vertex is in a stage.
-  enum Zone : std::uint8_t
-  {
-    done,  ///< known from an earlier stage, or never reached
-    known, ///< known from this stage
-    beyond ///< too little heat for this stage
-  };
 
   /// The direction of the heat flow in a face, where `largest` is large enough.
   struct Flow
@@ -274,17 +268,33 @@ private:
   Index place(Index vertex) const { return m_method->solver.place(vertex); }
   bool is_reached(Index component, std::size_t lane) const { return m_number_of_sources[component][lane] > 0; }
 
+  /// The lanes where `predicate(lane)` holds.
+  template <class Predicate>
+  static Lane_set lanes_where(const Predicate& predicate)
+  {
+    Lane_set result = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      result = Lane_set(result | (predicate(lane) ? 1U << lane : 0U));
+    }
+    return result;
+  }
+
   void prepare()
   {
     const std::size_t n = elements().number_of_vertices();
     m_heat.assign(n, Row::Zero());
     m_divergence.assign(n, Row::Zero());
     m_number_of_sources.assign(elements().number_of_components(), Row::Zero());
-    m_left_lanes.assign(m_method->faces.size(), all_lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         add_source(source, lane);
       }
+    }
+    m_known.resize(n);
+    m_beyond.resize(n);
+    for (Index v = 0; v < n; ++v) {
+      const Index component = elements().component(v);
+      m_beyond[place(v)] = lanes_where([&](std::size_t lane) { return is_reached(component, lane); });
     }
   }
 
@@ -301,14 +311,8 @@ private:
   void diffuse()
   {
     m_method->solver.solve(Heat_method::heat, m_heat);
-    bool are_faces_left = pass_faces();
-    if (are_faces_left) {
-      enter_zones();
-    }
-    while (are_faces_left && set_frontier_sources()) {
+    while (pass_faces() && set_frontier_sources()) {
       m_method->solver.solve(Heat_method::heat, m_heat);
-      are_faces_left = pass_faces();
-      advance_zones();
     }
   }
 
@@ -332,80 +336,48 @@ private:
     return result;
   }
 
-  /// Adds the divergence of the flow in the faces that are left, in the lanes where they have enough heat.
-  /// \return whether faces are left that heat will reach
+  /// Adds the divergence of the flow in the faces beyond the frontier, in the lanes where they have enough heat.
+  /// \return whether there are faces that heat has yet to reach
   bool pass_faces()
   {
     bool are_faces_left = false;
-    for (std::size_t i = 0; i < m_left_lanes.size(); ++i) {
-      if (m_left_lanes[i] == 0) {
+    for (const Face& face : m_method->faces) {
+      const auto [a, b, c] = face.places;
+      const auto beyond = Lane_set(m_beyond[a] & m_beyond[b] & m_beyond[c]);
+      if (beyond == 0) {
         continue;
       }
-      const Face& face = m_method->faces[i];
       Flow result = flow(face);
-      if (m_left_lanes[i] == all_lanes && !(result.largest < frontier()).any()) {
-        m_left_lanes[i] = 0;
-      } else {
-        leave_lanes(face, result, m_left_lanes[i]);
-        are_faces_left = are_faces_left || m_left_lanes[i] != 0;
+      if (beyond != all_lanes || (result.largest < frontier()).any()) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          const bool is_beyond = (beyond >> lane & 1U) != 0;
+          if (!is_beyond || result.largest[lane] < frontier()) {
+            result.x[lane] = 0;
+            result.y[lane] = 0;
+            are_faces_left = are_faces_left || is_beyond;
+          }
+        }
       }
       const Face_layout& layout = face.layout;
-      const Row flux_1 = (layout.apex_y * result.x - layout.apex_x * result.y) * 0.5;
-      const Row flux_2 = layout.base * 0.5 * result.y;
-      m_divergence[face.places[0]] -= flux_1 + flux_2;
-      m_divergence[face.places[1]] += flux_1;
-      m_divergence[face.places[2]] += flux_2;
+      const Row flux_b = (layout.apex_y * result.x - layout.apex_x * result.y) * 0.5;
+      const Row flux_c = layout.base * 0.5 * result.y;
+      m_divergence[a] -= flux_b + flux_c;
+      m_divergence[b] += flux_b;
+      m_divergence[c] += flux_c;
     }
     return are_faces_left;
   }
 
-  /// Takes a face out of the lanes where it has too little heat, or has had enough in an earlier stage.
-  void leave_lanes(const Face& face, Flow& result, std::uint8_t& left_lanes) const
-  {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const auto bit = std::uint8_t(1U << lane);
-      const bool has_heat = !(result.largest[lane] < frontier());
-      if ((left_lanes & bit) == 0 || !has_heat) {
-        result.x[lane] = 0;
-        result.y[lane] = 0;
-      }
-      if (has_heat || !is_reached(face.component, lane)) {
-        left_lanes = std::uint8_t(left_lanes & ~bit);
-      }
-    }
-  }
-
-  void enter_zones()
-  {
-    m_zones.assign(m_heat.size(), {});
-    for (Index v = 0; v < elements().number_of_vertices(); ++v) {
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        m_zones[place(v)][lane] = is_reached(elements().component(v), lane) ? beyond : done;
-      }
-    }
-    advance_zones();
-  }
-
-  /// Marks vertices that have enough heat now as `known`, and those that were `known` as `done`.
-  void advance_zones()
-  {
-    for (std::size_t i = 0; i < m_heat.size(); ++i) {
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        Zone& zone = m_zones[i][lane];
-        if (zone != beyond) {
-          zone = done;
-        } else if (std::abs(m_heat[i][lane]) >= frontier()) {
-          zone = known;
-        }
-      }
-    }
-  }
-
-  /// Replaces the heat by the sources of the next stage: what the matrix makes of the heat beyond the frontier, taken
-  /// alone. On the vertices there it is minus what the matrix makes of the known heat.
+  /// Advances the frontier, and replaces the heat by the sources of the next stage: what the matrix makes of the heat
+  /// beyond the frontier, taken alone. On the vertices there it is minus what the matrix makes of the known heat.
   /// \return false if no source is left
   bool set_frontier_sources()
   {
+    for (std::size_t i = 0; i < m_heat.size(); ++i) {
+      const auto has_heat = [&](std::size_t lane) { return !(std::abs(m_heat[i][lane]) < frontier()); };
+      m_known[i] = Lane_set(m_beyond[i] & lanes_where(has_heat));
+      m_beyond[i] = Lane_set(m_beyond[i] & ~m_known[i]);
+    }
     m_sources.assign(m_heat.size(), Row::Zero());
     bool has_sources = false;
     for (const Face& face : m_method->faces) {
@@ -424,15 +396,14 @@ private:
   /// Adds the sources that an entry of the matrix makes where the heat is known at `from` and not at `to`.
   bool couple(Index from, Index to, double entry)
   {
-    bool has_sources = false;
+    const auto across = Lane_set(m_known[from] & m_beyond[to]);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (m_zones[from][lane] == known && m_zones[to][lane] == beyond) {
+      if ((across >> lane & 1U) != 0) {
         m_sources[to][lane] -= std::ldexp(entry * m_heat[from][lane], -frontier_exponent);
         m_sources[from][lane] += std::ldexp(entry * m_heat[to][lane], -frontier_exponent);
-        has_sources = true;
       }
     }
-    return has_sources;
+    return across != 0;
   }
 
   /// Shifts the potential, which the divergence has become, so that it is the distance, on average, at the vertices of
@@ -481,13 +452,14 @@ private:
   Lane_rows<lanes> m_heat;
   Lane_rows<lanes> m_divergence;
   Lane_rows<lanes> m_sources;
-  std::vector<std::array<Zone, lanes>> m_zones;
-  Lane_rows<lanes> m_number_of_sources;   // of every component
-  Lane_rows<lanes> m_shifts;              // of every component
-  std::vector<std::uint8_t> m_left_lanes; // of every face, a bit for each that has had too little heat so far
+  std::vector<Lane_set> m_known;  // where this stage is the first with enough heat
+  std::vector<Lane_set> m_beyond; // where all stages so far had too little heat, and some source will bring it
+  // Of every component:
+  Lane_rows<lanes> m_number_of_sources;
+  Lane_rows<lanes> m_shifts;
 };
 
-/// Computes distances by the heat method. One object serves one thread: it is working memory, 200 bytes a vertex where
+/// Computes distances by the heat method. One object serves one thread: it is working memory, 260 bytes a vertex where
 /// batches are solved, reused from call to call.
 class Heat_workspace
 {
@@ -495,46 +467,45 @@ public:
   /// As many sets of sources are solved for at once.
   static constexpr std::size_t batch_size = 8;
 
-  /// Computes the distance of every vertex from the nearest one of `sources`, in the unit of the lengths: 0 at vertices
-  /// that are sources, infinite on components without a source, single vertices among them. Close to several sources,
-  /// or to one inside a face, values may be a little below 0. Near linear in the number of vertices.
-  void operator()(const Heat_method& method, const std::vector<Geodesic_source>& sources,
-                  std::vector<double>& distances)
-  {
-    m_single(method, {&sources}, {&distances});
-  }
-
-  /// Computes the distances from each of `source_sets` by itself, eight at a time, in about a third of the time.
-  /// They are the same as one by one, bit for bit unless the compiler fuses multiplications and additions as it likes.
+  /// Calls `use(i, distances)` for the sets of sources from 0 on: `distances` has for every vertex that from the
+  /// nearest source of the set, in the unit of the lengths, until the next call. It is 0 at vertices that are sources,
+  /// infinite on components without a source, single vertices among them. Close to several sources, or to one inside a
+  /// face, values may be a little below 0. Near linear in the number of vertices.
+  ///
+  /// Sets are solved for eight at a time, in about a third of the time. The result is the same as one by one, bit for
+  /// bit unless the compiler fuses multiplications and additions as it likes.
+  template <class Use>
   void operator()(const Heat_method& method, const std::vector<std::vector<Geodesic_source>>& source_sets,
-                  std::vector<std::vector<double>>& distances)
+                  const Use& use)
   {
     // From this number of sets on, a batch takes less time than one by one.
     constexpr std::size_t min_batch = 3;
-    distances.resize(source_sets.size());
     for (std::size_t begin = 0; begin < source_sets.size(); begin += batch_size) {
       const std::size_t size = std::min(batch_size, source_sets.size() - begin);
-      if (size < min_batch) {
-        for (std::size_t i = begin; i < begin + size; ++i) {
-          (*this)(method, source_sets[i], distances[i]);
+      if (size >= min_batch) {
+        std::array<const std::vector<Geodesic_source>*, batch_size> batch_sets{};
+        std::array<std::vector<double>*, batch_size> batch_distances{};
+        for (std::size_t lane = 0; lane < batch_size; ++lane) {
+          // Lanes to spare repeat the last set.
+          const std::size_t i = std::min(lane, size - 1);
+          batch_sets[lane] = &source_sets[begin + i];
+          batch_distances[lane] = &m_distances[i];
         }
-        continue;
+        m_batch(method, batch_sets, batch_distances);
       }
-      std::array<const std::vector<Geodesic_source>*, batch_size> batch_sets{};
-      std::array<std::vector<double>*, batch_size> batch_distances{};
-      for (std::size_t lane = 0; lane < batch_size; ++lane) {
-        // Lanes to spare repeat the last set.
-        const std::size_t i = begin + std::min(lane, size - 1);
-        batch_sets[lane] = &source_sets[i];
-        batch_distances[lane] = &distances[i];
+      for (std::size_t i = 0; i < size; ++i) {
+        if (size < min_batch) {
+          m_single(method, {&source_sets[begin + i]}, {&m_distances[i]});
+        }
+        use(begin + i, std::as_const(m_distances[i]));
       }
-      m_batch(method, batch_sets, batch_distances);
     }
   }
 
 private:
   Heat_batch<1> m_single;
   Heat_batch<batch_size> m_batch;
+  std::array<std::vector<double>, batch_size> m_distances;
 };
 
 /// Estimates the distance of every vertex from the nearest one of `sources` by the heat method, for callers that ask
@@ -545,13 +516,11 @@ inline std::vector<double> distances_from_vertices(const Intrinsic_triangulation
                                                    const std::vector<Index>& sources)
 {
   std::vector<Geodesic_source> geodesic_sources;
-  geodesic_sources.reserve(sources.size());
-  for (const Index source : sources) {
-    geodesic_sources.push_back(Geodesic_source::at_vertex(source));
-  }
-  std::vector<double> distances;
-  Heat_workspace()(Heat_method(triangulation), geodesic_sources, distances);
-  return distances;
+  std::transform(sources.begin(), sources.end(), std::back_inserter(geodesic_sources), Geodesic_source::at_vertex);
+  std::vector<double> result;
+  Heat_workspace()(Heat_method(triangulation), {geodesic_sources},
+                   [&](std::size_t, const std::vector<double>& distances) { result = distances; });
+  return result;
 }
 
 } // namespace CSCD::internal

@@ -13,8 +13,10 @@
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CSCD::internal {
 
@@ -34,24 +36,17 @@ CSCD_INLINE Prepared_distances::Prepared_distances(const Point_cloud& cloud, dou
 CSCD_INLINE void Prepared_distances::estimate_each(const std::vector<std::vector<Distance_source>>& source_sets,
                                                    const Use& use) const
 {
-  Heat_workspace workspace;
-  std::vector<std::vector<double>> distances;
-  std::vector<std::vector<Geodesic_source>> batch;
-  for (std::size_t begin = 0; begin < source_sets.size(); begin += Heat_workspace::batch_size) {
-    batch.clear();
-    for (std::size_t i = begin; i < std::min(begin + Heat_workspace::batch_size, source_sets.size()); ++i) {
-      batch.emplace_back();
-      for (const Distance_source& source : source_sets[i]) {
-        batch.back().push_back(source.vertex != no_index
-                                   ? Geodesic_source::at_vertex(source.vertex)
-                                   : Geodesic_source::in_face(*m_surface, source.face, source.coordinates));
-      }
-    }
-    workspace(*m_method, batch, distances);
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      use(distances[i]);
+  std::vector<std::vector<Geodesic_source>> geodesic_sources;
+  for (const std::vector<Distance_source>& sources : source_sets) {
+    geodesic_sources.emplace_back();
+    for (const Distance_source& source : sources) {
+      geodesic_sources.back().push_back(source.vertex != no_index
+                                            ? Geodesic_source::at_vertex(source.vertex)
+                                            : Geodesic_source::in_face(*m_surface, source.face, source.coordinates));
     }
   }
+  Heat_workspace()(*m_method, geodesic_sources,
+                   [&use](std::size_t, const std::vector<double>& distances) { use(distances); });
 }
 
 } // namespace CSCD::internal

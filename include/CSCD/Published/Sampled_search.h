@@ -20,6 +20,7 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector3.h>
+#include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -31,10 +32,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -75,11 +74,13 @@ public:
     }
   }
 
-  /// Takes note of sources: `distance` is the geodesic distance from them, infinite where none reaches.
-  void add_sources(const std::vector<float>& distance)
+  /// Takes note of sources: the geodesic distance of a vertex from them is `distance[place(vertex)]`, infinite where
+  /// none reaches.
+  template <class Place>
+  void add_sources(const std::vector<float>& distance, const Place& place)
   {
-    for (std::size_t vertex = 0; vertex < m_distance.size(); ++vertex) {
-      m_distance[vertex] = std::min(m_distance[vertex], std::max(0., double(distance[vertex])));
+    for (Index vertex = 0; vertex < m_distance.size(); ++vertex) {
+      m_distance[vertex] = std::min(m_distance[vertex], std::max(0., double(distance[place(vertex)])));
     }
   }
 
@@ -108,273 +109,277 @@ private:
   boost::random::mt19937 m_generator;
 };
 
+/// The result of the search for the separator of one source by its distance field.
+struct Field_search_result
+{
+  /// `found`, or the reason why there is none.
+  Cut_loop_outcome loop = Cut_loop_outcome::no_cut_point;
+  /// Where a loop was found, how its shortening ended; `collapsed` otherwise.
+  Shortening_outcome shortening = Shortening_outcome::collapsed;
+  Separator separator; ///< where a loop was found that did not collapse
+};
+
 /// Sources whose distances are solved for together, and the results of their searches.
 struct Source_group
 {
   std::vector<Index> sources; ///< vertices of the finest surface
   std::vector<Field_search_result> results;
-  std::vector<float> distance; ///< for each vertex, from the nearest of the sources
-
-  void set_distance(std::size_t number_of_vertices)
-  {
-    results.resize(sources.size());
-    distance.assign(number_of_vertices, std::numeric_limits<float>::infinity());
-  }
+  std::vector<float> distance; ///< for each vertex of the coarsest level, from the nearest of the sources
 };
 
-/// Fills a group for its sources. One object serves one thread.
-using Group_search = std::function<void(Source_group&)>;
+/// A source on a level of detail: in a face, and the corner of it that is nearest by barycentric coordinates.
+struct Level_source
+{
+  Geodesic_source source;
+  Index vertex;
+  Vector3 point;
+};
 
-/// Searches on the surface itself.
-/// \tparam Space a `Field_search_space`
-template <class Space>
-class Field_group_search
+/// The barycentric coordinates of the foot of `point` on the plane of `face`, those below 0 set to 0; none where the
+/// face has no area.
+inline std::optional<std::array<double, 3>> weights_in_face(const Triangulated_surface& surface, Index face,
+                                                            const Vector3& point)
+{
+  const Vector3 normal = surface.face_vector(face);
+  const double squared_norm = normal.squaredNorm();
+  if (surface.is_hole_filling(face) || !(squared_norm > 0)) {
+    return std::nullopt;
+  }
+  std::array<double, 3> weights{};
+  double sum = 0;
+  for (Index k = 0; k < 3; ++k) {
+    const Vector3 from = surface.point(surface.origin(3 * face + (k + 1) % 3)) - point;
+    const Vector3 to = surface.point(surface.origin(3 * face + (k + 2) % 3)) - point;
+    weights[k] = std::max(0., from.cross(to).dot(normal) / squared_norm);
+    sum += weights[k];
+  }
+  for (double& weight : weights) {
+    weight /= sum; // the coordinates of the foot add up to 1, so that those that are left are at least that
+  }
+  return weights;
+}
+
+/// The point nearest to `point` on the faces around `center`, a vertex of a level.
+inline Level_source source_on_level(const Triangulated_surface& surface, Index center, const Vector3& point)
+{
+  Level_source best{Geodesic_source::at_vertex(center), center, surface.point(center)};
+  double min_distance = (best.point - point).squaredNorm();
+  for (const Index halfedge : surface.outgoing(center)) {
+    const Index face = Triangulated_surface::face(halfedge);
+    const std::optional<std::array<double, 3>> weights = weights_in_face(surface, face, point);
+    if (!weights) {
+      continue;
+    }
+    Vector3 candidate = Vector3::Zero();
+    for (Index k = 0; k < 3; ++k) {
+      candidate += (*weights)[k] * surface.point(surface.origin(3 * face + k));
+    }
+    const double distance = (candidate - point).squaredNorm();
+    if (distance < min_distance) {
+      min_distance = distance;
+      const auto corner = Index(std::max_element(weights->begin(), weights->end()) - weights->begin());
+      best = {Geodesic_source::in_face(surface, face, *weights), surface.origin(3 * face + corner), candidate};
+    }
+  }
+  return best;
+}
+
+/// The levels of detail on which distances are computed, prepared once, shared by all threads: those of a multiscale
+/// search (supplement, K.2), which leaves the finest out if there are coarser ones, or the surface alone.
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
+class Search_levels
 {
 public:
-  /// \param space is referred to
-  explicit Field_group_search(const Space& space) : m_space(space), m_finder(space.make_finder()) {}
+  using Triangulation = std::decay_t<decltype(std::declval<const Surface&>().triangulation())>;
+  using Space = Field_search_space<Triangulation>;
 
-  void operator()(Source_group& group)
+  /// \param surface is referred to and must outlive this object
+  Search_levels(const Surface& surface, bool is_multiscale) : m_surface(surface)
   {
-    m_source_sets.clear();
-    for (const Index source : group.sources) {
-      m_source_sets.push_back({Geodesic_source::at_vertex(source)});
-    }
-    m_workspace(m_space.heat_method(), m_source_sets, m_distances);
-    group.set_distance(m_distances.front().size());
-    for (std::size_t i = 0; i < group.sources.size(); ++i) {
-      const std::vector<double>& distances = m_distances[i];
-      for (std::size_t vertex = 0; vertex < distances.size(); ++vertex) {
-        group.distance[vertex] = std::min(group.distance[vertex], float(distances[vertex]));
+    CGAL_precondition(has_levels || !is_multiscale);
+    if constexpr (has_levels) {
+      m_coarsest = is_multiscale ? surface.levels().finest_with_at_most(coarsest_size) : 0;
+      if (m_coarsest > 0) {
+        m_unflipped.emplace(surface.triangulation());
       }
-      (*m_finder)(group.sources[i], distances, group.results[i]);
+      for (Index level = finest(); level <= m_coarsest; ++level) {
+        m_spaces.push_back(std::make_unique<Space>(surface.levels()[level].surface));
+      }
+    } else {
+      m_spaces.push_back(std::make_unique<Space>(surface.triangulation()));
     }
   }
 
-private:
-  const Space& m_space;
-  Heat_workspace m_workspace;
-  std::vector<std::vector<Geodesic_source>> m_source_sets;
-  std::vector<std::vector<double>> m_distances;
-  std::unique_ptr<typename Space::Finder> m_finder;
-};
-
-/// The levels of detail on which distances are computed (supplement, K.2), prepared once, shared by all threads. Of
-/// several levels the finest has none.
-class Multiscale_search_space
-{
-public:
-  using Level_space = Field_search_space<Triangulated_surface>;
-
-  /// \param levels is referred to and must outlive this object
-  Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings)
-      : m_levels(levels), m_finest_triangulation(levels.finest().surface)
-  {
-    for (Index level = finest_level(); level <= coarsest_level(); ++level) {
-      m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings));
-    }
-  }
-
-  const Surface_levels& levels() const { return m_levels; }
-  /// That of the finest surface, not flipped.
-  const Intrinsic_triangulation& finest_triangulation() const { return m_finest_triangulation; }
   /// The coarsest level that has distances.
-  Index coarsest_level() const { return m_levels.finest_with_at_most(coarsest_size); }
+  Index coarsest() const { return m_coarsest; }
   /// The finest level that has distances.
-  Index finest_level() const { return std::min<Index>(1, coarsest_level()); }
-  /// \pre `level` is not below `finest_level()` nor above `coarsest_level()`
-  const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
+  Index finest() const { return std::min<Index>(1, m_coarsest); }
+  /// \pre `level` is not below `finest()` nor above `coarsest()`
+  const Space& operator[](Index level) const { return *m_spaces[level - finest()]; }
+
+  /// The vertex of the coarsest level that represents `vertex` of the surface.
+  Index on_coarsest([[maybe_unused]] Index vertex) const
+  {
+    if constexpr (has_levels) {
+      return m_surface.levels()[m_coarsest].from_finest(vertex);
+    } else {
+      return vertex;
+    }
+  }
+
+  /// Where the source at `vertex` of the surface is on `level`.
+  Level_source source([[maybe_unused]] Index level, Index vertex) const
+  {
+    const Vector3& point = m_surface.triangulation().points()[vertex];
+    if constexpr (has_levels) {
+      if (level > 0) {
+        const Surface_level& coarse = m_surface.levels()[level];
+        return source_on_level(coarse.surface, coarse.from_finest(vertex), point);
+      }
+    }
+    return {Geodesic_source::at_vertex(vertex), vertex, point};
+  }
+
+  const Surface& surface() const { return m_surface; }
+  /// That of the surface, not flipped; none if its finest level has distances.
+  const std::optional<Intrinsic_triangulation>& unflipped() const { return m_unflipped; }
 
 private:
+  static constexpr bool has_levels = std::is_same_v<Surface, Triangulated_solid>;
   /// A level of at most so many vertices needs no coarser one: solves take little time, and estimated distances need
   /// edges that are short compared with the limbs.
   static constexpr Index coarsest_size = 6000;
 
-  const Surface_levels& m_levels;
-  Intrinsic_triangulation m_finest_triangulation;
-  std::vector<std::unique_ptr<const Level_space>> m_spaces;
+  const Surface& m_surface;
+  Index m_coarsest = 0;
+  std::vector<std::unique_ptr<const Space>> m_spaces;
+  std::optional<Intrinsic_triangulation> m_unflipped;
 };
 
-/// Searches on the coarsest level from points in its faces. Where it finds no loop, or a loop of too few edges, it
-/// searches again on the next finer level. Loops are carried to the finest level, by shortest paths between their
-/// vertices, and shortened there: only once, since each shortening may let a loop slide. With one level only, this is
-/// the search of `Field_group_search`.
-class Multiscale_group_search
+/// Carries loops from coarse levels to the finest, by shortest paths between their vertices, and shortens them there.
+/// One object serves one thread.
+class Coarse_loop_shortening
 {
 public:
-  /// \param space is referred to
-  explicit Multiscale_group_search(const Multiscale_search_space& space)
-      : m_space(space), m_levels(space.levels()), m_projection(m_levels),
-        m_shorten(m_levels.finest().surface, space.finest_triangulation())
+  /// \param triangulation that of the finest level, not flipped; as `levels`, it is referred to
+  Coarse_loop_shortening(const Surface_levels& levels, const Intrinsic_triangulation& triangulation)
+      : m_levels(levels), m_projection(levels), m_shorten(levels.finest().surface, triangulation)
   {
-    for (Index level = space.finest_level(); level <= space.coarsest_level(); ++level) {
-      m_finders.push_back(space[level].make_finder());
+  }
+
+  /// As `Separator_flip_shortening`, for the loop of these vertices of `level`.
+  Shortening_outcome operator()(Index level, const Vertex_loop& loop, Index source, Separator& separator)
+  {
+    if (!m_projection(m_levels[level], loop, m_fine_loop)) {
+      return Shortening_outcome::collapsed;
+    }
+    m_halfedges.clear();
+    for (std::size_t i = 0; i < m_fine_loop.size(); ++i) {
+      m_halfedges.push_back(
+          m_levels.finest().surface.find_halfedge(m_fine_loop[i], m_fine_loop[(i + 1) % m_fine_loop.size()]));
+    }
+    return std::count(m_halfedges.begin(), m_halfedges.end(), no_index) == 0 ? m_shorten(m_halfedges, source, separator)
+                                                                             : Shortening_outcome::collapsed;
+  }
+
+private:
+  const Surface_levels& m_levels;
+  Loop_projection m_projection;
+  Separator_flip_shortening<Triangulated_surface> m_shorten;
+  Vertex_loop m_fine_loop;
+  std::vector<Index> m_halfedges;
+};
+
+/// Searches from the sources of a group, on the coarsest level first. Where that finds no loop, or a loop of too few
+/// edges, it searches again on the next finer level. Loops of coarse levels are shortened on the finest level only,
+/// since each shortening may let a loop slide. One object serves one thread.
+template <class Surface>
+class Group_search
+{
+public:
+  /// \param levels is referred to, as `settings`
+  Group_search(const Search_levels<Surface>& levels, const Field_search_settings& settings) : m_levels(levels)
+  {
+    for (Index level = levels.finest(); level <= levels.coarsest(); ++level) {
+      m_finders.push_back(std::make_unique<Finder>(levels[level], settings));
+    }
+    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      if (levels.unflipped()) {
+        m_shorten_coarse.emplace(levels.surface().levels(), *levels.unflipped());
+      }
     }
   }
 
   void operator()(Source_group& group)
   {
-    group.set_distance(m_levels.finest().surface.number_of_vertices());
-    m_pending.resize(group.sources.size());
-    std::iota(m_pending.begin(), m_pending.end(), std::size_t(0));
-    for (Index level = m_space.coarsest_level(); !m_pending.empty(); --level) {
+    group.results.resize(group.sources.size());
+    m_pending = all_indices(group.sources.size());
+    for (Index level = m_levels.coarsest(); !m_pending.empty(); --level) {
       search_level(level, group);
     }
   }
 
 private:
+  using Finder = Field_separator_finder<typename Search_levels<Surface>::Space>;
+
   /// The least length of a loop in mean edge lengths of its level, except on the finest level. Chosen on armadillo and
   /// warrior: with 8 errors are greater and tips fewer; with 16 nothing is gained.
   static constexpr double min_edges_of_loop = 12;
 
-  /// A source on a level: in a face, and the corner of it that is nearest by barycentric coordinates.
-  struct Level_source
-  {
-    Geodesic_source source;
-    Index vertex;
-    Vector3 point;
-  };
-
   /// Searches from the pending sources, and leaves those pending that need a finer level.
   void search_level(Index level, Source_group& group)
   {
-    const auto& space = m_space[level];
-    auto& finder = *m_finders[level - m_space.finest_level()];
-    m_level_sources.clear();
-    m_source_sets.clear();
-    for (const std::size_t i : m_pending) {
-      m_level_sources.push_back(source_on_level(m_levels[level], group.sources[i]));
-      m_source_sets.push_back({m_level_sources.back().source});
+    const auto& space = m_levels[level];
+    Finder& finder = *m_finders[level - m_levels.finest()];
+    std::vector<Level_source> sources;
+    std::vector<std::vector<Geodesic_source>> source_sets;
+    for (const Index i : m_pending) {
+      sources.push_back(m_levels.source(level, group.sources[i]));
+      source_sets.push_back({sources.back().source});
     }
-    m_workspace(space.heat_method(), m_source_sets, m_distances);
-    if (level == m_space.coarsest_level()) {
-      take_distances(group);
+    if (level == m_levels.coarsest()) {
+      group.distance.assign(space.surface.number_of_vertices(), std::numeric_limits<float>::infinity());
     }
-    std::vector<std::size_t> refused;
-    for (std::size_t k = 0; k < m_pending.size(); ++k) {
-      Field_search_result& result = group.results[m_pending[k]];
-      if (level == 0) {
-        finder(group.sources[m_pending[k]], m_distances[k], result);
-        continue;
+    std::vector<Index> refused;
+    m_workspace(space.heat_method, source_sets, [&](std::size_t k, const std::vector<double>& distances) {
+      if (level == m_levels.coarsest()) {
+        std::transform(distances.begin(), distances.end(), group.distance.begin(), group.distance.begin(),
+                       [](double distance, float least) { return std::min(least, float(distance)); });
       }
-      const Cut_loop& loop = finder.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_distances[k]);
+      const Cut_loop& loop = finder.find_loop(sources[k].vertex, sources[k].point, distances);
       const bool is_found = loop.outcome == Cut_loop_outcome::found;
-      if (level > m_space.finest_level() &&
-          !(is_found && 2 * loop.distance >= min_edges_of_loop * space.mean_edge_length())) {
+      if (level > m_levels.finest() &&
+          !(is_found && 2 * loop.distance >= min_edges_of_loop * space.frames.mean_edge_length())) {
         refused.push_back(m_pending[k]);
-        continue;
+        return;
       }
+      Field_search_result& result = group.results[m_pending[k]];
       result.loop = loop.outcome;
-      result.shortening = Shortening_outcome::collapsed;
-      if (is_found) {
-        shorten_on_finest(level, loop.halfedges, group.sources[m_pending[k]], result);
-      }
-    }
+      result.separator.source = group.sources[m_pending[k]];
+      result.shortening = is_found ? shorten(level, loop.halfedges, result.separator) : Shortening_outcome::collapsed;
+    });
     m_pending.swap(refused);
   }
 
-  /// \pre `m_distances` are those of all sources on the coarsest level
-  void take_distances(Source_group& group) const
+  /// Shortens the loop along `halfedges` of `level` to the separator of its source.
+  Shortening_outcome shorten(Index level, const std::vector<Index>& halfedges, Separator& separator)
   {
-    const Surface_level& level = m_levels[m_space.coarsest_level()];
-    std::vector<float> least(level.surface.number_of_vertices(), std::numeric_limits<float>::infinity());
-    for (std::size_t i = 0; i < group.sources.size(); ++i) {
-      for (std::size_t vertex = 0; vertex < least.size(); ++vertex) {
-        least[vertex] = std::min(least[vertex], float(m_distances[i][vertex]));
-      }
+    if (level == 0) {
+      return m_finders.front()->shorten(halfedges, separator.source, separator);
     }
-    for (Index vertex = 0; vertex < group.distance.size(); ++vertex) {
-      group.distance[vertex] = least[level.from_finest(vertex)];
-    }
-  }
-
-  /// The point nearest to the finest vertex `source` on the faces around the vertex that represents it.
-  Level_source source_on_level(const Surface_level& level, Index source) const
-  {
-    const Index center = level.from_finest(source);
-    const Vector3& point = m_levels.finest().surface.point(source);
-    Level_source best{Geodesic_source::at_vertex(center), center, level.surface.point(center)};
-    double min_distance = (best.point - point).squaredNorm();
-    for (const Index halfedge : level.surface.outgoing(center)) {
-      const Index face = Triangulated_surface::face(halfedge);
-      const std::optional<std::array<double, 3>> weights = weights_in_face(level.surface, face, point);
-      if (!weights) {
-        continue;
-      }
-      Vector3 candidate = Vector3::Zero();
-      for (Index k = 0; k < 3; ++k) {
-        candidate += (*weights)[k] * level.surface.point(level.surface.origin(3 * face + k));
-      }
-      const double distance = (candidate - point).squaredNorm();
-      if (distance < min_distance) {
-        min_distance = distance;
-        const auto corner = Index(std::max_element(weights->begin(), weights->end()) - weights->begin());
-        best = {Geodesic_source::in_face(level.surface, face, *weights), level.surface.origin(3 * face + corner),
-                candidate};
-      }
-    }
-    return best;
-  }
-
-  /// The barycentric coordinates of the foot of `point` on the plane of `face`, those below 0 set to 0; none where the
-  /// face has no area.
-  static std::optional<std::array<double, 3>> weights_in_face(const Triangulated_surface& surface, Index face,
-                                                              const Vector3& point)
-  {
-    const Vector3 normal = surface.face_vector(face);
-    const double squared_norm = normal.squaredNorm();
-    if (surface.is_hole_filling(face) || !(squared_norm > 0)) {
-      return std::nullopt;
-    }
-    std::array<double, 3> weights{};
-    double sum = 0;
-    for (Index k = 0; k < 3; ++k) {
-      const Vector3 from = surface.point(surface.origin(3 * face + (k + 1) % 3)) - point;
-      const Vector3 to = surface.point(surface.origin(3 * face + (k + 2) % 3)) - point;
-      weights[k] = std::max(0., from.cross(to).dot(normal) / squared_norm);
-      sum += weights[k];
-    }
-    for (double& weight : weights) {
-      weight /= sum; // the coordinates of the foot add up to 1, so that those that are left are at least that
-    }
-    return weights;
-  }
-
-  /// Makes the separator of the loop along `halfedges` of `level`: carries it to the finest level by shortest paths
-  /// between its vertices, and shortens it there.
-  void shorten_on_finest(Index level, const std::vector<Index>& halfedges, Index source, Field_search_result& result)
-  {
-    result.separator.source = source;
-    m_loop.clear();
+    Vertex_loop loop;
     for (const Index halfedge : halfedges) {
-      m_loop.push_back(m_space[level].triangulation().origin(halfedge));
+      loop.push_back(m_levels[level].frames.triangulation().origin(halfedge));
     }
-    if (m_projection(m_levels[level], m_loop, m_fine_loop)) {
-      m_halfedges.clear();
-      for (std::size_t i = 0; i < m_fine_loop.size(); ++i) {
-        m_halfedges.push_back(
-            m_levels.finest().surface.find_halfedge(m_fine_loop[i], m_fine_loop[(i + 1) % m_fine_loop.size()]));
-      }
-      if (std::count(m_halfedges.begin(), m_halfedges.end(), no_index) == 0) {
-        result.shortening = m_shorten(m_halfedges, source, result.separator);
-      }
-    }
+    return (*m_shorten_coarse)(level, loop, separator.source, separator);
   }
 
-  const Multiscale_search_space& m_space;
-  const Surface_levels& m_levels;
-  std::vector<std::unique_ptr<Multiscale_search_space::Level_space::Finder>>
-      m_finders; ///< of the levels that have distances
+  const Search_levels<Surface>& m_levels;
+  std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
+  std::optional<Coarse_loop_shortening> m_shorten_coarse;
   Heat_workspace m_workspace;
-  Loop_projection m_projection;
-  Separator_flip_shortening<Triangulated_surface> m_shorten; ///< on the finest level
-  std::vector<std::size_t> m_pending;                        ///< places in the group
-  std::vector<Level_source> m_level_sources;
-  std::vector<std::vector<Geodesic_source>> m_source_sets;
-  std::vector<std::vector<double>> m_distances;
-  Vertex_loop m_loop;
-  Vertex_loop m_fine_loop;
-  std::vector<Index> m_halfedges;
+  std::vector<Index> m_pending; ///< places in the group
 };
 
 /// The first stage as published (Alg. 2, lines 1 to 9): sources are drawn by their distance from earlier ones; the heat
@@ -391,8 +396,10 @@ public:
   Sampled_search(const Surface& surface, const Options& settings, const Field_search_settings& field_settings)
       : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_workspace::batch_size),
         m_round_size(field_settings.sampling_rule == Sampling_rule::one_by_one ? 1 : m_group_size * max_groups),
+        m_settings(field_settings), m_levels(surface, field_settings.is_multiscale),
         m_sampling(shares(surface.triangulation(), field_settings.sampling_rule), settings.random_seed),
-        m_for_each(make_search_factory(surface, field_settings), settings.number_of_threads)
+        m_for_each([this] { return std::make_unique<Group_search<Surface>>(m_levels, m_settings); },
+                   settings.number_of_threads)
   {
   }
 
@@ -423,9 +430,8 @@ private:
   /// A round is enough for a few threads, and little against the number of all sources.
   static constexpr std::size_t max_groups = 4;
 
-  using Triangulation = std::decay_t<decltype(std::declval<const Surface&>().triangulation())>;
-
   /// The probability of each vertex before its distance is known.
+  template <class Triangulation>
   static std::vector<double> shares(const Triangulation& surface, Sampling_rule rule)
   {
     std::vector<double> result(surface.number_of_vertices());
@@ -434,28 +440,6 @@ private:
       result[vertex] = rule == Sampling_rule::one_by_one && area > 0 ? 1 : area;
     }
     return result;
-  }
-
-  /// Prepares what all threads share. \return a function that makes the search of a thread
-  static std::function<Group_search()> make_search_factory(const Surface& surface,
-                                                           const Field_search_settings& settings)
-  {
-    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-      if (settings.is_multiscale) {
-        return share<Multiscale_search_space, Multiscale_group_search>(surface.levels(), settings);
-      }
-    }
-    CGAL_precondition(!settings.is_multiscale);
-    using Space = Field_search_space<Triangulation>;
-    return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
-  }
-
-  template <class Space, class Search, class Domain>
-  static std::function<Group_search()> share(const Domain& domain, const Field_search_settings& settings)
-  {
-    return [space = std::make_shared<const Space>(domain, settings)]() -> Group_search {
-      return [search = std::make_shared<Search>(*space)](Source_group& group) { (*search)(group); };
-    };
   }
 
   Index number_of_groups() const { return Index((m_sources.size() + m_group_size - 1) / m_group_size); }
@@ -467,9 +451,9 @@ private:
       const auto size = std::min(std::ptrdiff_t(m_group_size), m_sources.end() - begin);
       m_groups[group].sources.assign(begin, begin + size);
     }
-    m_for_each(number_of_groups(), [this](Index group, const Group_search& search) { search(m_groups[group]); });
+    m_for_each(number_of_groups(), [this](Index group, const auto& search) { (*search)(m_groups[group]); });
     for (Index group = 0; group < number_of_groups(); ++group) {
-      m_sampling.add_sources(m_groups[group].distance);
+      m_sampling.add_sources(m_groups[group].distance, [this](Index vertex) { return m_levels.on_coarsest(vertex); });
     }
   }
 
@@ -493,8 +477,10 @@ private:
 
   std::size_t m_group_size;
   std::size_t m_round_size;
+  const Field_search_settings m_settings;
+  Search_levels<Surface> m_levels;
   Distance_sampling m_sampling;
-  For_each_index<Group_search> m_for_each;
+  For_each_index<std::unique_ptr<Group_search<Surface>>> m_for_each;
   std::vector<Index> m_sources;
   std::array<Source_group, max_groups> m_groups;
 };
