@@ -8,6 +8,7 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -128,7 +129,8 @@ private:
 
   Curve_shortening(const TriangleMesh& mesh, Collected_triangles&& collected)
       : m_numbers(internal::vertex_numbers(mesh, collected.descriptors)), m_surface(closed(collected)),
-        m_shorten(m_surface, m_surface.first_hole_filling_face())
+        m_shorten(internal::Intrinsic_triangulation(m_surface, m_surface.first_hole_filling_face()),
+                  m_surface.first_hole_filling_face())
   {
   }
 

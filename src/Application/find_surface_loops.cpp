@@ -13,6 +13,7 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Surface_path.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
@@ -226,7 +227,9 @@ class Surface_loop_search
 public:
   explicit Surface_loop_search(const Triangulated_solid& solid)
       : m_solid(solid), m_surface(solid.triangulation()), m_classes(m_surface),
-        m_shorten(m_surface, m_surface.first_hole_filling_face()), m_is_consistent(m_classes.is_consistent())
+        m_shorten(Intrinsic_triangulation(m_surface, m_surface.first_hole_filling_face()),
+                  m_surface.first_hole_filling_face()),
+        m_is_consistent(m_classes.is_consistent())
   {
   }
 

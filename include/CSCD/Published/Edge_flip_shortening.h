@@ -33,13 +33,8 @@ namespace CSCD::internal {
 class Revertible_triangulation : public Intrinsic_triangulation
 {
 public:
-  template <class Surface>
-  Revertible_triangulation(const Surface& surface, Index number_of_faces)
-      : Intrinsic_triangulation(surface, number_of_faces)
-  {
-  }
-  explicit Revertible_triangulation(const Intrinsic_triangulation& triangulation)
-      : Intrinsic_triangulation(triangulation)
+  explicit Revertible_triangulation(Intrinsic_triangulation&& triangulation)
+      : Intrinsic_triangulation(std::move(triangulation))
   {
   }
 
@@ -224,19 +219,11 @@ public:
   /// A closed curve has collapsed when it is shorter than this part of its first length.
   static constexpr double collapsed_part = 0.15;
 
-  /// Curves are given along the edges of `surface`, which has no borders. They never cross the faces from
+  /// Curves are given along the edges of `triangulation`, which has no borders. They never cross the input's faces from
   /// `number_of_faces` on: where these are in the way, curves go along their edges. So borders are kept that were
   /// bridged, see `first_hole_filling_face()`. Linear.
-  /// \tparam Surface a model of `SurfaceTriangulation`, which is not referred to later
-  template <class Surface>
-  Edge_flip_shortening(const Surface& surface, Index number_of_faces)
-      : m_triangulation(surface, number_of_faces), m_path(m_triangulation), m_number_of_faces(number_of_faces)
-  {
-  }
-
-  /// Curves are given along the edges of `triangulation`, which has no borders. Linear.
-  explicit Edge_flip_shortening(const Intrinsic_triangulation& triangulation)
-      : m_triangulation(triangulation), m_path(m_triangulation), m_number_of_faces(triangulation.number_of_faces())
+  explicit Edge_flip_shortening(Intrinsic_triangulation triangulation, Index number_of_faces = no_index)
+      : m_triangulation(std::move(triangulation)), m_path(m_triangulation), m_number_of_faces(number_of_faces)
   {
   }
 
@@ -248,11 +235,12 @@ public:
   /// The ends of an open curve stay where they are. Time is proportional to the number of flips, which is about the
   /// number of faces between the curve before and after.
   /// \param halfedges of the triangulation; each begins where the last one ends, in a cycle if the curve is closed
-  /// \param is_pinned whether the curve must not be moved off a vertex; it may be moved onto it (E.2)
+  /// \param is_pinned whether the curve must not be moved off a vertex; it may be moved onto it (E.2); by default, none
   /// \return the outcome; `collapsed` leaves no points
   /// \pre the curve neither crosses itself nor runs along one edge twice, except straight back
-  Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed,
-                                std::function<bool(Index)> is_pinned, Surface_path& result)
+  Shortening_outcome operator()(
+      const std::vector<Index>& halfedges, bool is_closed, Surface_path& result,
+      std::function<bool(Index)> is_pinned = [](Index) { return false; })
   {
     m_is_pinned = std::move(is_pinned);
     run(halfedges, is_closed, std::numeric_limits<std::size_t>::max());
@@ -262,13 +250,6 @@ public:
     }
     write(result);
     return outcome();
-  }
-
-  /// The same without pinned vertices.
-  Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed, Surface_path& result)
-  {
-    return (*this)(
-        halfedges, is_closed, [](Index) { return false; }, result);
   }
 
 private:
@@ -594,7 +575,6 @@ private:
   void write(Surface_path& path)
   {
     path.points.clear();
-    path.is_closed = m_is_closed;
     path.length = 0;
     Index last = no_index;
     for_each_segment([&](Index segment) {

@@ -54,7 +54,7 @@ public:
     }
     squared_radius *= ball_margin * ball_margin;
     const auto is_outside = [&](Index vertex) { return (points[vertex] - center).squaredNorm() > squared_radius; };
-    const Shortening_outcome outcome = m_shortening(halfedges, true, is_outside, m_path);
+    const Shortening_outcome outcome = m_shortening(halfedges, true, m_path, is_outside);
     if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, separator.crossings)) {
       return Shortening_outcome::collapsed;
     }

@@ -37,18 +37,10 @@ struct Flat_triangle
   /// which is exact up to rounding also where the triangle is a needle.
   double area() const
   {
-    double a = base;
-    double b = next;
-    double c = right;
-    if (a < b) {
-      std::swap(a, b);
-    }
-    if (b < c) {
-      std::swap(b, c);
-    }
-    if (a < b) {
-      std::swap(a, b);
-    }
+    const auto [low, high] = std::minmax(base, next);
+    const double a = std::max(high, right);
+    const double b = std::max(low, std::min(high, right));
+    const double c = std::min(low, right);
     const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
     return product > 0 ? std::sqrt(product) / 4 : 0.;
   }
@@ -139,14 +131,9 @@ public:
   /// Takes over all faces of `input`, which is not referred to later. Linear.
   /// \tparam Triangulation has halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`, which is
   ///         `no_index` on a border, and `length()`
+  /// \param number_of_faces lengths are mollified for so many faces, the first ones, only
   template <class Triangulation>
-  explicit Intrinsic_triangulation(const Triangulation& input) : Intrinsic_triangulation(input, input.number_of_faces())
-  {
-  }
-
-  /// The same, where lengths are mollified for the first `number_of_faces` faces only.
-  template <class Triangulation>
-  Intrinsic_triangulation(const Triangulation& input, Index number_of_faces)
+  explicit Intrinsic_triangulation(const Triangulation& input, Index number_of_faces = no_index)
       : m_number_of_vertices(input.number_of_vertices())
   {
     auto halfedges = std::make_shared<Input>();
@@ -154,7 +141,8 @@ public:
       halfedges->twin.push_back(input.twin(h));
       halfedges->length.push_back(input.length(h));
     }
-    const double added_length = mollifying_length(halfedges->length, 3 * number_of_faces);
+    const double added_length =
+        mollifying_length(halfedges->length, 3 * std::min(number_of_faces, input.number_of_faces()));
     m_halfedges.reserve(input.number_of_halfedges());
     for (Index h = 0; h < input.number_of_halfedges(); ++h) {
       halfedges->length[h] += added_length;

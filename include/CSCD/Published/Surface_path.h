@@ -9,8 +9,6 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 
-#include <CGAL/assertions.h>
-
 #include <cstddef>
 #include <vector>
 
@@ -36,7 +34,6 @@ struct Surface_path
   /// `position` is 0 and `halfedge` is from the vertex: the path leaves along it if the next point is a vertex too, and
   /// otherwise into its face. The last point of an open path is a vertex, given by any of its halfedges.
   std::vector<Edge_crossing> points;
-  bool is_closed = true;
   double length = 0;
 };
 
@@ -71,15 +68,13 @@ void push_off_vertex(const Surface& surface, const Edge_crossing& before, const 
   }
 }
 
-/// Writes to `crossings` the edges that `path` crosses when it is pushed a little to its left where it passes through
-/// vertices and along edges. Linear in the number of points and the degrees of the vertices.
+/// Writes to `crossings` the edges that the closed `path` crosses when it is pushed a little to its left where it
+/// passes through vertices and along edges. Linear in the number of points and the degrees of the vertices.
 /// \tparam Surface a model of `SurfaceTriangulation`
 /// \return whether at least three edges are crossed
-/// \pre `path` is closed
 template <class Surface>
 bool push_off_vertices(const Surface& surface, const Surface_path& path, std::vector<Edge_crossing>& crossings)
 {
-  CGAL_precondition(path.is_closed);
   crossings.clear();
   const std::vector<Edge_crossing>& points = path.points;
   const std::size_t size = points.size();
