@@ -68,9 +68,8 @@ inline Face_layout lay_out_face(std::array<double, 3> lengths, double unit)
 /// Every component is measured in its own unit, the mean length of its edges: results on a component do not depend on
 /// others, and numbers are moderate whatever the scale is. Borders keep the natural condition, that no heat flows
 /// through them. Vertices may be joined by several edges or to themselves.
-class Cotangent_elements
+struct Cotangent_elements
 {
-public:
   struct Face
   {
     std::array<Index, 3> vertices; ///< the corners 0, 1 and 2 of the layout: origins of the halfedges 3f, 3f+1, 3f+2
@@ -79,27 +78,18 @@ public:
 
   /// Lays out all faces of `triangulation`, which is not referred to later; linear.
   explicit Cotangent_elements(const Intrinsic_triangulation& triangulation)
-      : m_masses(triangulation.number_of_vertices(), 0.)
+      : masses(triangulation.number_of_vertices(), 0.)
   {
     number_components(triangulation);
     measure_units(triangulation);
-    m_faces.reserve(triangulation.number_of_faces());
+    faces.reserve(triangulation.number_of_faces());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
       add_face(triangulation, f);
     }
   }
 
-  Index number_of_vertices() const { return Index(m_masses.size()); }
-  /// All faces, by their numbers.
-  const std::vector<Face>& faces() const { return m_faces; }
-  /// A third of the areas of the vertex's faces, in the unit of its component.
-  double mass(Index vertex) const { return m_masses[vertex]; }
-
-  Index number_of_components() const { return Index(m_units.size()); }
-  /// The component of `vertex`, joined through faces.
-  Index component(Index vertex) const { return m_component[vertex]; }
-  /// The mean length of the component's edges, those on no border counted twice.
-  double unit(Index component) const { return m_units[component]; }
+  Index number_of_vertices() const { return Index(masses.size()); }
+  Index number_of_components() const { return Index(units.size()); }
 
   /// The lower triangle of (the mass matrix times `mass_factor`) + (the stiffness matrix, the negative Laplacian).
   /// A vertex without mass and stiffness gets a 1 on the diagonal.
@@ -109,8 +99,8 @@ public:
   {
     std::vector<double> diagonal(number_of_vertices(), 0.);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(3 * m_faces.size() + number_of_vertices());
-    for (const Face& face : m_faces) {
+    entries.reserve(3 * faces.size() + number_of_vertices());
+    for (const Face& face : faces) {
       const std::array<double, 3> couplings = face.layout.couplings();
       for (std::size_t k = 0; k < 3; ++k) {
         const Index i = face.vertices[(k + 1) % 3];
@@ -124,14 +114,19 @@ public:
     }
     std::vector<char> has_pin(is_pinned ? number_of_components() : 0, 0);
     for (Index v = 0; v < number_of_vertices(); ++v) {
-      const bool is_pin = is_pinned && std::exchange(has_pin[m_component[v]], char(1)) == 0;
-      const double value = mass_factor * m_masses[v] + (is_pin ? 2 : 1) * diagonal[v];
+      const bool is_pin = is_pinned && std::exchange(has_pin[component[v]], char(1)) == 0;
+      const double value = mass_factor * masses[v] + (is_pin ? 2 : 1) * diagonal[v];
       entries.emplace_back(int(v), int(v), value > 0 ? value : 1.);
     }
     Eigen::SparseMatrix<double> result(number_of_vertices(), number_of_vertices());
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
   }
+
+  std::vector<Face> faces;      ///< by their numbers
+  std::vector<double> masses;   ///< of every vertex, a third of the areas of its faces, in the unit of its component
+  std::vector<Index> component; ///< of every vertex; vertices of a face are in one
+  std::vector<double> units;    ///< of every component, the mean length of its edges, those on no border counted twice
 
 private:
   void number_components(const Intrinsic_triangulation& triangulation)
@@ -142,41 +137,36 @@ private:
       sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
     }
     Index number_of_components = 0;
-    m_component = sets.numbers(number_of_components);
-    m_units.assign(number_of_components, 0.);
+    component = sets.numbers(number_of_components);
+    units.assign(number_of_components, 0.);
   }
 
   void measure_units(const Intrinsic_triangulation& triangulation)
   {
-    std::vector<double> count(m_units.size(), 0.);
+    std::vector<double> count(units.size(), 0.);
     for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
-      m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
-      count[m_component[triangulation.origin(h)]] += 1;
+      units[component[triangulation.origin(h)]] += triangulation.length(h);
+      count[component[triangulation.origin(h)]] += 1;
     }
-    for (std::size_t i = 0; i < m_units.size(); ++i) {
-      m_units[i] = m_units[i] > 0 ? m_units[i] / count[i] : 0.;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      units[i] = units[i] > 0 ? units[i] / count[i] : 0.;
     }
   }
 
   void add_face(const Intrinsic_triangulation& triangulation, Index f)
   {
-    const double unit = m_units[m_component[triangulation.origin(3 * f)]];
+    const double unit = units[component[triangulation.origin(3 * f)]];
     // Where everything is in one point, any finite elements will do: distances get the unit 0.
     std::array<double, 3> lengths{1, 1, 1};
     for (Index k = 0; unit > 0 && k < 3; ++k) {
       lengths[k] = triangulation.length(3 * f + k) / unit;
     }
-    m_faces.push_back({{triangulation.origin(3 * f), triangulation.origin(3 * f + 1), triangulation.origin(3 * f + 2)},
-                       lay_out_face(lengths, 1)});
-    for (const Index vertex : m_faces.back().vertices) {
-      m_masses[vertex] += m_faces.back().layout.area() / 3;
+    faces.push_back({{triangulation.origin(3 * f), triangulation.origin(3 * f + 1), triangulation.origin(3 * f + 2)},
+                     lay_out_face(lengths, 1)});
+    for (const Index vertex : faces.back().vertices) {
+      masses[vertex] += faces.back().layout.area() / 3;
     }
   }
-
-  std::vector<Face> m_faces;
-  std::vector<double> m_masses;
-  std::vector<Index> m_component; // of every vertex
-  std::vector<double> m_units;    // of every component
 };
 
 } // namespace CSCD::internal

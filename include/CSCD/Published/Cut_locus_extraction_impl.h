@@ -32,10 +32,9 @@ Extracted_cut_locus<Location> extract_cut_locus_on(const Indicators& indicators,
                                                    const ForEachCrossing& for_each_crossing)
 {
   const Cut_tree cut = find_cut_tree(indicators, sources, settings);
-  const Org_tree& tree = cut.tree();
   Extracted_cut_locus<Location> result;
-  std::vector<Index> number(tree.parent.size(), no_index);
-  for (const Index vertex : tree.order) {
+  std::vector<Index> number(cut.parent.size(), no_index);
+  for (const Index vertex : cut.order) {
     if (cut.is_kept(vertex)) {
       number[vertex] = Index(result.vertices.size());
       result.vertices.push_back(at_vertex(vertex));
@@ -51,9 +50,9 @@ Extracted_cut_locus<Location> extract_cut_locus_on(const Indicators& indicators,
     });
     result.edges.emplace_back(last, number[triangulation.target(halfedge)]);
   };
-  for (const Index vertex : tree.order) {
+  for (const Index vertex : cut.order) {
     if (cut.is_kept(vertex) && !cut.is_root(vertex)) {
-      add_curve(tree.halfedge[vertex]);
+      add_curve(cut.halfedge[vertex]);
     }
   }
   for (const Index halfedge : cut.chords()) {
@@ -121,7 +120,7 @@ CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_c
   const auto at_vertex = [&](Index vertex) {
     return Extracted_cut_locus<Index>::Vertex{complex.point(vertex), vertex, distances[vertex]};
   };
-  return extract_cut_locus_on<Index>(Point_cut_locus_indicators(frames, distances), vertices, settings, at_vertex,
+  return extract_cut_locus_on<Index>(Cut_locus_indicators(frames, distances), vertices, settings, at_vertex,
                                      [](Index, const auto&) {});
 }
 

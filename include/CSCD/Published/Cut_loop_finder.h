@@ -161,7 +161,7 @@ struct Cut_loop
 /// Alg. 3, lines 3 to 6). Cut points are tried in the order of the rule until one passes all tests, so that only
 /// vertices that come before the target are looked at. One object serves one thread, and keeps working memory of the
 /// size of the surface.
-/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
+/// \tparam Measures `Cut_locus_indicators`
 template <class Measures>
 class Cut_loop_finder
 {

@@ -14,12 +14,17 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/core_numbers.hpp>
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,33 +44,7 @@ struct Org_tree
   std::vector<Index> order;      ///< all vertices of the tree, parents before children
 };
 
-/// Adds the tree of the component of `root` to `tree`.
-template <class Measures>
-void grow_tree(const Measures& measures, Index root, std::vector<char>& is_attached, Org_tree& tree)
-{
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto attach = [&](Index vertex) {
-    is_attached[vertex] = 1;
-    tree.order.push_back(vertex);
-    queue.emplace(tree.laplacian[vertex], vertex);
-  };
-  attach(root);
-  while (!queue.empty()) {
-    const Index vertex = queue.top().second;
-    queue.pop();
-    measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-      if (!is_attached[neighbor] && measures.is_reached(neighbor)) {
-        tree.parent[neighbor] = vertex;
-        tree.halfedge[neighbor] = halfedge;
-        attach(neighbor);
-      }
-    });
-  }
-}
-
 /// Grows the ORG tree; O(n log n) for n vertices.
-/// \param measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators` of a point complex
 /// \param is_on_loop for every vertex
 template <class Measures>
 Org_tree grow_org_tree(const Measures& measures, const std::vector<char>& is_on_loop)
@@ -84,10 +63,28 @@ Org_tree grow_org_tree(const Measures& measures, const std::vector<char>& is_on_
   std::sort(by_distance.begin(), by_distance.end(),
             [&](Index a, Index b) { return std::pair(measures.distance(b), a) < std::pair(measures.distance(a), b); });
   std::vector<char> is_attached(size, 0);
-  // The farthest vertex of each component is the first of it to come.
-  for (const Index vertex : by_distance) {
+  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
+  const auto attach = [&](Index vertex) {
     if (!is_attached[vertex]) {
-      grow_tree(measures, vertex, is_attached, tree);
+      is_attached[vertex] = 1;
+      tree.order.push_back(vertex);
+      queue.emplace(tree.laplacian[vertex], vertex);
+      return true;
+    }
+    return false;
+  };
+  // The farthest vertex of each component is the first of it to come.
+  for (const Index root : by_distance) {
+    attach(root);
+    while (!queue.empty()) {
+      const Index vertex = queue.top().second;
+      queue.pop();
+      measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+        if (measures.is_reached(neighbor) && attach(neighbor)) {
+          tree.parent[neighbor] = vertex;
+          tree.halfedge[neighbor] = halfedge;
+        }
+      });
     }
   }
   return tree;
@@ -95,24 +92,23 @@ Org_tree grow_org_tree(const Measures& measures, const std::vector<char>& is_on_
 
 /// An ORG tree, a subtree of each of its trees with the root, and chords that close loops.
 /// Vertices are added below kept ones, and removed at the leaves.
-class Cut_tree
+class Cut_tree : public Org_tree
 {
 public:
   /// Keeps the roots of `tree`; linear.
   explicit Cut_tree(Org_tree&& tree)
-      : m_tree(std::move(tree)), m_is_kept(m_tree.parent.size(), 0), m_is_protected(m_is_kept),
+      : Org_tree(std::move(tree)), m_is_kept(parent.size(), 0), m_is_protected(m_is_kept),
         m_number_of_children(m_is_kept.size(), 0)
   {
-    for (Index vertex : m_tree.order) {
+    for (Index vertex : order) {
       m_is_kept[vertex] = m_is_protected[vertex] = is_root(vertex) ? 1 : 0;
     }
   }
 
-  const Org_tree& tree() const { return m_tree; }
   bool is_kept(Index vertex) const { return m_is_kept[vertex] != 0; }
   /// Whether `vertex` may not be removed: a root, or part of a loop or of its path to the root.
   bool is_protected(Index vertex) const { return m_is_protected[vertex] != 0; }
-  bool is_root(Index vertex) const { return m_tree.parent[vertex] == no_index; }
+  bool is_root(Index vertex) const { return parent[vertex] == no_index; }
   /// The number of children that are kept.
   Index number_of_children(Index vertex) const { return m_number_of_children[vertex]; }
   /// Whether `vertex` is kept and can be removed.
@@ -124,9 +120,9 @@ public:
   /// Keeps `vertex` and all that are between it and kept ones.
   void keep(Index vertex)
   {
-    for (; !is_kept(vertex); vertex = m_tree.parent[vertex]) {
+    for (; !is_kept(vertex); vertex = parent[vertex]) {
       m_is_kept[vertex] = 1;
-      ++m_number_of_children[m_tree.parent[vertex]];
+      ++m_number_of_children[parent[vertex]];
     }
   }
 
@@ -136,16 +132,16 @@ public:
   {
     CGAL_precondition(is_free_leaf(vertex));
     m_is_kept[vertex] = 0;
-    --m_number_of_children[m_tree.parent[vertex]];
+    --m_number_of_children[parent[vertex]];
   }
 
-  /// Joins the ends `a` and `b` of `halfedge` by a chord, keeps both, and protects their paths to the root.
-  void add_chord(Index halfedge, Index a, Index b)
+  /// Joins the vertices `a` and `b` by a chord along a halfedge, keeps both, and protects their paths to the root.
+  void add_chord(Index chord, Index a, Index b)
   {
-    m_chords.push_back(halfedge);
+    m_chords.push_back(chord);
     for (Index vertex : {a, b}) {
       keep(vertex);
-      for (; vertex != no_index && !is_protected(vertex); vertex = m_tree.parent[vertex]) {
+      for (; vertex != no_index && !is_protected(vertex); vertex = parent[vertex]) {
         m_is_protected[vertex] = 1;
       }
     }
@@ -155,7 +151,6 @@ public:
   const std::vector<Index>& chords() const { return m_chords; }
 
 private:
-  Org_tree m_tree;
   std::vector<char> m_is_kept;
   std::vector<char> m_is_protected;
   std::vector<Index> m_number_of_children;
@@ -164,23 +159,23 @@ private:
 
 /// Removes from `cut` the branches that end in a leaf and are shorter than `min_length`, the shortest first; what
 /// they leave of their fork may then be one longer branch. A branch ends at a fork, at a root, or where it is
-/// protected. O(n log n) for n vertices. \param length gives the length of a halfedge
-template <class Length>
-void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
+/// protected. O(n log n) for n vertices.
+/// \param frames know the lengths of halfedges: `Tangent_frames` or `Point_frames`
+template <class Frames>
+void drop_short_branches(const Frames& frames, Cut_tree& cut, double min_length)
 {
-  const Org_tree& tree = cut.tree();
   const auto ends_at = [&](Index vertex) { return cut.is_protected(vertex) || cut.number_of_children(vertex) > 1; };
   const auto branch_length = [&](Index leaf) {
     double sum = 0;
     Index vertex = leaf;
     do {
-      sum += length(tree.halfedge[vertex]);
-      vertex = tree.parent[vertex];
+      sum += frames.length(cut.halfedge[vertex]);
+      vertex = cut.parent[vertex];
     } while (!ends_at(vertex) && sum < min_length);
     return sum;
   };
   std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
-  for (Index vertex : tree.order) {
+  for (Index vertex : cut.order) {
     if (cut.is_free_leaf(vertex)) {
       queue.emplace(branch_length(vertex), vertex);
     }
@@ -193,7 +188,7 @@ void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
       queue.emplace(current_length, leaf);
       continue;
     }
-    for (Index vertex = leaf; cut.is_free_leaf(vertex); vertex = tree.parent[vertex]) {
+    for (Index vertex = leaf; cut.is_free_leaf(vertex); vertex = cut.parent[vertex]) {
       cut.remove(vertex);
     }
   }
@@ -204,14 +199,13 @@ void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
 template <class Frames>
 bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
 {
-  const Org_tree& tree = cut.tree();
-  const Index parent = tree.parent[leaf];
+  const Index parent = cut.parent[leaf];
   bool result = false;
   frames.for_each_neighbor(leaf, [&](Index neighbor, Index) {
-    if (neighbor == leaf || neighbor == parent || !cut.is_kept(neighbor) || tree.parent[neighbor] == parent) {
+    if (neighbor == leaf || neighbor == parent || !cut.is_kept(neighbor) || cut.parent[neighbor] == parent) {
       return;
     }
-    const bool is_weaker = std::pair(tree.laplacian[leaf], leaf) > std::pair(tree.laplacian[neighbor], neighbor);
+    const bool is_weaker = std::pair(cut.laplacian[leaf], leaf) > std::pair(cut.laplacian[neighbor], neighbor);
     result = result || cut.number_of_children(neighbor) > 0 || cut.is_protected(neighbor) || is_weaker;
   });
   return result;
@@ -223,14 +217,14 @@ template <class Frames>
 void thin_branches(const Frames& frames, Cut_tree& cut)
 {
   std::vector<Index> queue;
-  for (Index vertex : cut.tree().order) {
+  for (Index vertex : cut.order) {
     if (cut.is_free_leaf(vertex)) {
       queue.push_back(vertex);
     }
   }
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (is_beside_branch(frames, cut, queue[i])) {
-      const Index parent = cut.tree().parent[queue[i]];
+      const Index parent = cut.parent[queue[i]];
       cut.remove(queue[i]);
       if (cut.is_free_leaf(parent)) {
         queue.push_back(parent);
@@ -240,7 +234,8 @@ void thin_branches(const Frames& frames, Cut_tree& cut)
 }
 
 /// One face of each group of neighbors among `sources`.
-inline std::vector<Index> faces_of_sources(const Cut_locus_indicators& measures, const std::vector<Index>& sources)
+inline std::vector<Index> faces_of_sources(const Cut_locus_indicators<Tangent_frames>& measures,
+                                           const std::vector<Index>& sources)
 {
   const Tangent_frames& frames = measures.frames();
   std::vector<char> is_source(frames.triangulation().number_of_vertices(), 0);
@@ -260,7 +255,7 @@ inline std::vector<Index> faces_of_sources(const Cut_locus_indicators& measures,
     char& is_new = is_source[groups.find(source)];
     Index face = no_index;
     frames.for_each_outgoing(source, [&](Index h) { face = std::min(face, Triangle_halfedges::face(h)); });
-    if (is_new && face != no_index) {
+    if (is_new) {
       faces.push_back(face);
     }
     is_new = 0;
@@ -276,8 +271,9 @@ inline std::vector<Index> faces_of_sources(const Cut_locus_indicators& measures,
 /// \param sources those that are neighbors share a disc
 /// \return a halfedge of each edge that was neither blocked nor crossed
 template <class IsBlocked, class IsLast>
-std::vector<Index> uncrossed_edges(const Cut_locus_indicators& measures, const std::vector<Index>& sources,
-                                   const IsBlocked& is_blocked, const IsLast& is_last)
+std::vector<Index> uncrossed_edges(const Cut_locus_indicators<Tangent_frames>& measures,
+                                   const std::vector<Index>& sources, const IsBlocked& is_blocked,
+                                   const IsLast& is_last)
 {
   const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   // Of faces and, for each vertex, of the outside of the border there.
@@ -320,40 +316,20 @@ std::vector<Index> uncrossed_edges(const Cut_locus_indicators& measures, const s
 /// and of the edges where they meet those are taken away, one after the other, that end freely. None are left on a
 /// sphere with one source. Fronts may meet there at any angle, even at one that no threshold would notice.
 /// O(m log m) for m faces.
-inline std::vector<char> find_loop_vertices(const Cut_locus_indicators& measures, const std::vector<Index>& sources)
+inline std::vector<char> find_loop_vertices(const Cut_locus_indicators<Tangent_frames>& measures,
+                                            const std::vector<Index>& sources)
 {
   const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   const auto never = [](Index) { return false; };
-  const std::vector<Index> uncrossed = uncrossed_edges(measures, sources, never, never);
-
-  std::vector<char> is_left(triangulation.number_of_halfedges(), 0);
-  std::vector<Index> degree(triangulation.number_of_vertices(), 0);
-  for (Index h : uncrossed) {
-    is_left[h] = 1;
-    ++degree[triangulation.origin(h)];
-    ++degree[triangulation.target(h)];
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(triangulation.number_of_vertices());
+  for (const Index h : uncrossed_edges(measures, sources, never, never)) {
+    add_edge(triangulation.origin(h), triangulation.target(h), graph);
   }
-  const auto mark_of = [&](Index halfedge) -> char& {
-    const Index twin = triangulation.twin(halfedge);
-    return is_left[is_left[halfedge] || twin == no_index ? halfedge : twin];
-  };
-  for (Index start = 0; start < triangulation.number_of_vertices(); ++start) {
-    for (Index vertex = start; vertex != no_index && degree[vertex] == 1;) {
-      Index next = no_index;
-      measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-        if (next == no_index && mark_of(halfedge)) {
-          mark_of(halfedge) = 0;
-          next = neighbor;
-        }
-      });
-      --degree[vertex];
-      --degree[next];
-      vertex = next;
-    }
-  }
-  std::vector<char> result(degree.size(), 0);
-  for (Index vertex = 0; vertex < degree.size(); ++vertex) {
-    result[vertex] = degree[vertex] > 0 ? 1 : 0;
+  std::vector<std::size_t> core(triangulation.number_of_vertices());
+  boost::core_numbers(graph, boost::make_iterator_property_map(core.begin(), get(boost::vertex_index, graph)));
+  std::vector<char> result;
+  for (const std::size_t number : core) {
+    result.push_back(number > 1 ? 1 : 0);
   }
   return result;
 }
@@ -363,11 +339,12 @@ inline std::vector<char> find_loop_vertices(const Cut_locus_indicators& measures
 /// chords. On a closed connected surface of genus g, k sources make 2 g + k - 1 of them, and as many loops. Borders
 /// count as closed by discs. O(m log m) for m faces.
 /// \param sources the vertices at distance 0; those that are neighbors count as one source
-inline void close_loops(const Cut_locus_indicators& measures, const std::vector<Index>& sources, Cut_tree& cut)
+inline void close_loops(const Cut_locus_indicators<Tangent_frames>& measures, const std::vector<Index>& sources,
+                        Cut_tree& cut)
 {
   const Intrinsic_triangulation& triangulation = measures.frames().triangulation();
   const auto is_tree_edge = [&](Index halfedge, Index vertex) {
-    const Index own = cut.tree().halfedge[vertex];
+    const Index own = cut.halfedge[vertex];
     return own != no_index && (own == halfedge || own == triangulation.twin(halfedge));
   };
   const auto is_in_tree = [&](Index halfedge) {
@@ -382,54 +359,41 @@ inline void close_loops(const Cut_locus_indicators& measures, const std::vector<
   }
 }
 
-/// Whether a closed surface has handles, around which cut loci have loops. Linear.
-template <class Triangulation>
-bool has_handles(const Triangulation& surface)
-{
-  Disjoint_sets components(surface.number_of_vertices());
-  std::size_t number_of_components = surface.number_of_vertices();
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    number_of_components -= components.join(surface.origin(h), surface.target(h)) ? 1 : 0;
-  }
-  return genus_of_closed_surface(number_of_components, surface.number_of_vertices(), surface.number_of_faces()) > 0;
-}
-
 /// Finds the cut locus of `sources` as part of the ORG tree of `measures`: cut points and their paths to the root are
 /// kept, loops closed, branches made one vertex wide, and short ones dropped. O(n log n) for n vertices.
-/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`: then no loop is known
-/// \param closes_loops whether there are loops to be closed, as far as is known
-template <class Measures>
-Cut_tree find_cut_tree(const Measures& measures, const std::vector<Index>& sources, const Cut_locus_settings& settings,
-                       bool closes_loops = true)
+/// \param closes_loops whether there are loops to be closed, as far as is known; on a point complex none is known
+template <class Frames>
+Cut_tree find_cut_tree(const Cut_locus_indicators<Frames>& measures, const std::vector<Index>& sources,
+                       const Cut_locus_settings& settings, bool closes_loops = true)
 {
   // Of this many mean edge lengths; the triangulation alone can make shorter branches.
   constexpr double min_edges_of_branch = 3;
   const auto& frames = measures.frames();
   const auto gradients = measures.gradients();
   std::vector<char> is_on_loop(measures.distances().size(), 0);
-  if constexpr (Measures::knows_loops) {
+  constexpr bool knows_loops = std::is_same_v<Frames, Tangent_frames>;
+  if constexpr (knows_loops) {
     is_on_loop = closes_loops ? find_loop_vertices(measures, sources) : is_on_loop;
   }
   Cut_tree cut(grow_org_tree(measures, is_on_loop));
-  const Org_tree& tree = cut.tree();
-  for (const Index vertex : tree.order) {
+  for (const Index vertex : cut.order) {
     if (is_on_loop[vertex] || measures.is_cut(vertex, settings, &gradients)) {
       cut.keep(vertex);
     }
   }
-  if constexpr (Measures::knows_loops) {
+  if constexpr (knows_loops) {
     if (closes_loops) {
       close_loops(measures, sources, cut);
     }
   }
   thin_branches(frames, cut);
   double max_distance = 0;
-  for (const Index vertex : tree.order) {
+  for (const Index vertex : cut.order) {
     max_distance = std::max(max_distance, measures.distance(vertex));
   }
   const double min_length =
       std::max(settings.minimum_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
-  drop_short_branches(cut, min_length, [&](Index halfedge) { return frames.length(halfedge); });
+  drop_short_branches(frames, cut, min_length);
   return cut;
 }
 

@@ -19,10 +19,12 @@
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CSCD::internal {
@@ -130,7 +132,7 @@ private:
 template <class Surface>
 struct Field_search_space
 {
-  using Measures = Cut_locus_indicators;
+  using Frames = Tangent_frames;
   using Shortening = Separator_flip_shortening<Surface>;
 
   /// \param input is referred to and must outlive this object
@@ -143,7 +145,7 @@ struct Field_search_space
 
   const Surface& surface;
   Intrinsic_triangulation triangulation;
-  Tangent_frames frames;
+  Frames frames;
   Heat_method heat_method;
 };
 
@@ -152,7 +154,7 @@ struct Field_search_space
 template <>
 struct Field_search_space<Point_complex>
 {
-  using Measures = Point_cut_locus_indicators;
+  using Frames = Point_frames;
   using Shortening = Separator_variational_shortening;
 
   /// \param complex is referred to and must outlive this object
@@ -166,7 +168,7 @@ struct Field_search_space<Point_complex>
 
   const Point_complex& surface;
   Heat_method heat_method;
-  Point_frames frames;
+  Frames frames;
   Moving_least_squares_projection projection;
 };
 
@@ -180,14 +182,18 @@ class Field_separator_finder
 public:
   /// \param space is referred to, as \param settings: which cut point is the target, and what cut points are
   Field_separator_finder(const Space& space, const Field_search_settings& settings)
-      : m_frames(space.frames), m_settings(settings), m_cut_locus(Measures::default_settings()),
+      : m_frames(space.frames), m_settings(settings),
+        m_cut_locus(is_of_points ? point_cut_locus_settings() : Cut_locus_settings()),
         m_loop_finder(space.frames, space.surface.points()), m_shorten(space.make_shortening())
   {
     m_cut_locus.laplacian_threshold = settings.laplacian_threshold.value_or(m_cut_locus.laplacian_threshold);
     m_cut_locus.angle_threshold = settings.angle_threshold.value_or(m_cut_locus.angle_threshold);
     m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
-    m_has_handles = Measures::knows_loops && settings.cut_locus_rule == Cut_locus_rule::tree &&
-                    has_handles(m_frames.triangulation());
+    if constexpr (!is_of_points) {
+      const Index number_of_components = space.heat_method.elements.number_of_components();
+      m_has_handles = genus_of_closed_surface(number_of_components, m_frames.triangulation().number_of_vertices(),
+                                              m_frames.triangulation().number_of_faces()) > 0;
+    }
   }
 
   /// Finds the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths; `distances`
@@ -215,12 +221,14 @@ public:
   }
 
 private:
-  using Measures = typename Space::Measures;
+  using Frames = typename Space::Frames;
+  using Measures = Cut_locus_indicators<Frames>;
+  static constexpr bool is_of_points = std::is_same_v<Frames, Point_frames>;
 
-  const typename Measures::Frames& m_frames;
+  const Frames& m_frames;
   const Field_search_settings& m_settings;
   Cut_locus_settings m_cut_locus;
-  bool m_has_handles = false;
+  bool m_has_handles = false; // around which cut loci have loops
   Cut_loop_finder<Measures> m_loop_finder;
   typename Space::Shortening m_shorten;
   Cut_loop m_loop;

@@ -22,9 +22,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -76,18 +76,15 @@ public:
       CGAL_assertion(lower.isCompressed());
       m_column_begin.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
       m_row.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
-      m_factors.push_back({{lower.valuePtr(), lower.valuePtr() + m_row.size()}, {}});
-      const Eigen::VectorXd inverses = pivots.cwiseInverse();
-      m_factors.back().inverse_pivots.assign(inverses.data(), inverses.data() + inverses.size());
+      m_factors.push_back({{lower.valuePtr(), lower.valuePtr() + m_row.size()}, pivots.cwiseInverse()});
     }
-    const auto& places = factorization.permutationP().indices();
-    m_place.assign(places.data(), places.data() + places.size());
+    m_place = factorization.permutationP().indices();
   }
 
-  std::size_t size() const { return m_place.size(); }
+  std::size_t size() const { return std::size_t(m_place.size()); }
 
   /// The place of `row` in the order of elimination, the order of right-hand sides and solutions.
-  Index place(Index row) const { return m_place[row]; }
+  Index place(Index row) const { return Index(m_place[row]); }
 
   /// Replaces the right-hand sides `x`, in the order of elimination, by the solutions for the matrix of this number.
   /// Linear in the number of nonzeros of the factor; the solutions of a lane do not depend on the other lanes.
@@ -107,9 +104,9 @@ public:
         }
       }
     }
-    const double* inverse_pivot = m_factors[matrix].inverse_pivots.data();
+    const Eigen::VectorXd& inverse_pivot = m_factors[matrix].inverse_pivots;
     for (std::size_t column = size(); column-- > 0;) {
-      typename Rows::value_type sum = inverse_pivot[column] * x[column];
+      typename Rows::value_type sum = inverse_pivot[Eigen::Index(column)] * x[column];
       for (std::size_t entry = m_column_begin[column]; entry < m_column_begin[column + 1]; ++entry) {
         sum -= value[entry] * x[m_row[entry]];
       }
@@ -121,10 +118,10 @@ private:
   struct Factor
   {
     std::vector<double> values; // of the entries below the diagonal, column by column
-    std::vector<double> inverse_pivots;
+    Eigen::VectorXd inverse_pivots;
   };
 
-  std::vector<Index> m_place;
+  Eigen::VectorXi m_place;
   std::vector<Index> m_column_begin; // in the entries, and their number at the end
   std::vector<Index> m_row;          // of every entry
   std::vector<Factor> m_factors;
@@ -193,8 +190,8 @@ struct Heat_method
                "by CGAL::Polygon_mesh_processing::isotropic_remeshing")
   {
     CGAL_precondition(time_step_factor > 0);
-    faces.reserve(elements.faces().size());
-    for (const Cotangent_elements::Face& face : elements.faces()) {
+    faces.reserve(elements.faces.size());
+    for (const Cotangent_elements::Face& face : elements.faces) {
       faces.push_back({{solver.place(face.vertices[0]), solver.place(face.vertices[1]), solver.place(face.vertices[2])},
                        face.layout});
     }
@@ -239,7 +236,9 @@ public:
     m_source_sets = source_sets;
     m_distances = distances;
     prepare();
-    diffuse();
+    do {
+      method.solver.solve(Heat_method::heat, m_heat);
+    } while (pass_faces() && set_frontier_sources());
     method.solver.solve(Heat_method::poisson, m_divergence);
     write_distances();
   }
@@ -247,13 +246,11 @@ public:
 private:
   using Row = Lanes<lanes>;
   using Face = Heat_method::Face;
-  using Lane_set = std::uint8_t; // a bit for each lane
-  static_assert(lanes <= std::numeric_limits<Lane_set>::digits);
+  using Lane_set = std::bitset<lanes>;
 
   /// The power of two below which heat is left to the next stage. Numbers still have full precision down to 2^-1022:
   /// only products with a number less than 2^-122 are lost here, and every sum loses these.
   static constexpr int frontier_exponent = -900;
-  static constexpr Lane_set all_lanes = (1U << lanes) - 1;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   /// The direction of the heat flow in a face, where `largest` is large enough.
@@ -272,9 +269,9 @@ private:
   template <class Predicate>
   static Lane_set lanes_where(const Predicate& predicate)
   {
-    Lane_set result = 0;
+    Lane_set result;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      result = Lane_set(result | (predicate(lane) ? 1U << lane : 0U));
+      result[lane] = predicate(lane);
     }
     return result;
   }
@@ -293,7 +290,7 @@ private:
     m_known.resize(n);
     m_beyond.resize(n);
     for (Index v = 0; v < n; ++v) {
-      const Index component = elements().component(v);
+      const Index component = elements().component[v];
       m_beyond[place(v)] = lanes_where([&](std::size_t lane) { return is_reached(component, lane); });
     }
   }
@@ -304,16 +301,7 @@ private:
       CGAL_precondition(source.vertices[k] < elements().number_of_vertices());
       m_heat[place(source.vertices[k])][lane] += source.weights[k];
     }
-    m_number_of_sources[elements().component(source.vertices[0])][lane] += 1;
-  }
-
-  /// Computes the heat stage by stage, and from it the divergence of its directions.
-  void diffuse()
-  {
-    m_method->solver.solve(Heat_method::heat, m_heat);
-    while (pass_faces() && set_frontier_sources()) {
-      m_method->solver.solve(Heat_method::heat, m_heat);
-    }
+    m_number_of_sources[elements().component[source.vertices[0]]][lane] += 1;
   }
 
   /// The direction of the flow, which needs no square of a small number. The absolute value is taken, as in CGAL: where
@@ -343,18 +331,17 @@ private:
     bool are_faces_left = false;
     for (const Face& face : m_method->faces) {
       const auto [a, b, c] = face.places;
-      const auto beyond = Lane_set(m_beyond[a] & m_beyond[b] & m_beyond[c]);
-      if (beyond == 0) {
+      const Lane_set beyond = m_beyond[a] & m_beyond[b] & m_beyond[c];
+      if (beyond.none()) {
         continue;
       }
       Flow result = flow(face);
-      if (beyond != all_lanes || (result.largest < frontier()).any()) {
+      if (!beyond.all() || (result.largest < frontier()).any()) {
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-          const bool is_beyond = (beyond >> lane & 1U) != 0;
-          if (!is_beyond || result.largest[lane] < frontier()) {
+          if (!beyond[lane] || result.largest[lane] < frontier()) {
             result.x[lane] = 0;
             result.y[lane] = 0;
-            are_faces_left = are_faces_left || is_beyond;
+            are_faces_left = are_faces_left || beyond[lane];
           }
         }
       }
@@ -375,8 +362,8 @@ private:
   {
     for (std::size_t i = 0; i < m_heat.size(); ++i) {
       const auto has_heat = [&](std::size_t lane) { return !(std::abs(m_heat[i][lane]) < frontier()); };
-      m_known[i] = Lane_set(m_beyond[i] & lanes_where(has_heat));
-      m_beyond[i] = Lane_set(m_beyond[i] & ~m_known[i]);
+      m_known[i] = m_beyond[i] & lanes_where(has_heat);
+      m_beyond[i] &= ~m_known[i];
     }
     m_sources.assign(m_heat.size(), Row::Zero());
     bool has_sources = false;
@@ -396,14 +383,14 @@ private:
   /// Adds the sources that an entry of the matrix makes where the heat is known at `from` and not at `to`.
   bool couple(Index from, Index to, double entry)
   {
-    const auto across = Lane_set(m_known[from] & m_beyond[to]);
+    const Lane_set across = m_known[from] & m_beyond[to];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if ((across >> lane & 1U) != 0) {
+      if (across[lane]) {
         m_sources[to][lane] -= std::ldexp(entry * m_heat[from][lane], -frontier_exponent);
         m_sources[from][lane] += std::ldexp(entry * m_heat[to][lane], -frontier_exponent);
       }
     }
-    return across != 0;
+    return across.any();
   }
 
   /// Shifts the potential, which the divergence has become, so that it is the distance, on average, at the vertices of
@@ -418,8 +405,8 @@ private:
       m_distances[lane]->resize(elements().number_of_vertices());
     }
     for (Index v = 0; v < elements().number_of_vertices(); ++v) {
-      const Index component = elements().component(v);
-      const Row distance = (m_divergence[place(v)] - m_shifts[component]) * elements().unit(component);
+      const Index component = elements().component[v];
+      const Row distance = (m_divergence[place(v)] - m_shifts[component]) * elements().units[component];
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         (*m_distances[lane])[v] = is_reached(component, lane) ? distance[lane] : infinity;
       }
@@ -435,8 +422,8 @@ private:
 
   void add_shift(const Geodesic_source& source, std::size_t lane)
   {
-    const Index component = elements().component(source.vertices[0]);
-    const double unit = elements().unit(component);
+    const Index component = elements().component[source.vertices[0]];
+    const double unit = elements().units[component];
     double excess = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double distance = unit > 0 ? source.distances[k] / unit : 0.;
@@ -459,7 +446,7 @@ private:
   Lane_rows<lanes> m_shifts;
 };
 
-/// Computes distances by the heat method. One object serves one thread: it is working memory, 260 bytes a vertex where
+/// Computes distances by the heat method. One object serves one thread: it is working memory, 270 bytes a vertex where
 /// batches are solved, reused from call to call.
 class Heat_workspace
 {

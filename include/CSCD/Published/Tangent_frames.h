@@ -12,11 +12,11 @@
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/SparseCore>
+#include <boost/container/small_vector.hpp>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -32,22 +32,46 @@ namespace CSCD::internal {
 /// The dual area of a vertex of a regular triangulation with edges of length 1.
 inline constexpr double area_of_unit_spacing = 0.8660254037844386;
 
+/// A face around a vertex, or a neighbor: where it lies, and its gradient, both in the frame of the vertex.
+struct Gradient_sample
+{
+  std::complex<double> direction; ///< from the vertex to there, of length 1
+  std::complex<double> gradient;  ///< of length 1
+};
+
+/// The samples around one vertex, counterclockwise.
+using Gradient_samples = boost::container::small_vector<Gradient_sample, 16>;
+
+/// Collects the neighbors of `vertex`, counterclockwise, unless their gradients are those of a ridge or a source, which
+/// are short and have no direction.
+/// \param gradient_of returns the gradient of a vertex, in its frame
+template <class Frames, class GradientOf>
+void collect_neighbors(const Frames& frames, Index vertex, const GradientOf& gradient_of, Gradient_samples& samples)
+{
+  constexpr double min_gradient = 0.1; // away from ridges and sources it is 1
+  samples.clear();
+  frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+    const std::complex<double> gradient = gradient_of(neighbor);
+    const double norm = std::abs(gradient);
+    if (norm > min_gradient && std::isfinite(norm)) {
+      const bool is_outgoing = frames.triangulation().origin(h) == vertex;
+      const double direction = is_outgoing ? frames.direction_at_origin(h) : frames.direction_at_target(h);
+      const std::complex<double> transport = frames.transport_to_origin(h);
+      samples.push_back(
+          {std::polar(1., direction), (is_outgoing ? transport : std::conj(transport)) * gradient / norm});
+    }
+  });
+}
+
 /// A polar frame at every vertex, where vectors are complex numbers: angles between the edges around a vertex are
 /// scaled to add up to a full turn; on a border they stay as they are. The first outgoing halfedge points along the
 /// real axis. The faces around each vertex form one fan.
+///
+/// Functions on the triangulation are differentiated in these frames, from lengths alone (supplement, appendix G.1).
 class Tangent_frames
 {
 public:
   using Complex = std::complex<double>;
-
-  /// The corner of a face at the origin of a halfedge.
-  struct Corner
-  {
-    double length = 0; ///< of the halfedge
-    double cosine = 1; ///< of the angle at its origin
-    double sine = 0;   ///< 0 if the face has no area, and is to be ignored
-    Complex turn = 1;  ///< turns a vector of the face, seen from the halfedge, into the frame of the origin
-  };
 
   /// Computes all frames; linear.
   /// \param triangulation is referred to and must outlive this object
@@ -70,10 +94,7 @@ public:
   explicit Tangent_frames(Intrinsic_triangulation&&) = delete;
 
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
-  const Corner& corner(Index halfedge) const { return m_corners[halfedge]; }
   double length(Index halfedge) const { return m_corners[halfedge].length; }
-  /// A third of the area of the faces around `vertex`.
-  double area(Index vertex) const { return m_area[vertex]; }
   /// The mean over all halfedges of the surface.
   double mean_edge_length() const { return m_mean_edge_length; }
 
@@ -129,8 +150,84 @@ public:
     return std::polar(1., turn);
   }
 
+  /// The mean of the unit gradients in the faces around `vertex`, weighted by angle, in its frame: it is shorter than 1
+  /// where they disagree.
+  Complex mean_gradient(Index vertex, const std::vector<double>& values) const
+  {
+    Complex sum = 0;
+    double weight = 0;
+    for_each_outgoing(vertex, [&](Index h) {
+      sum += angle(h) * unit_gradient(h, values);
+      weight += angle(h);
+    });
+    return weight > 0 ? sum / weight : Complex(0);
+  }
+
+  /// The Laplacian of `values` at `vertex`, times the spacing of the vertices there.
+  double laplacian(Index vertex, const std::vector<double>& values) const
+  {
+    const double area = m_area[vertex];
+    if (!(area > 0)) {
+      return 0;
+    }
+    double sum = 0;
+    for_each_outgoing(vertex, [&](Index h) {
+      const Index next = Triangle_halfedges::next(h);
+      const Index last = Triangle_halfedges::previous(h);
+      sum += cotangent(last) * (values[m_triangulation.origin(next)] - values[vertex]) / 2 +
+             cotangent(next) * (values[m_triangulation.origin(last)] - values[vertex]) / 2;
+    });
+    return sum / area * std::max(m_mean_edge_length, std::sqrt(area / area_of_unit_spacing));
+  }
+
+  /// Collects the faces around `vertex`.
+  void collect_samples(Index vertex, const std::vector<double>& values, Gradient_samples& samples) const
+  {
+    samples.clear();
+    for_each_outgoing(vertex, [&](Index h) {
+      const Complex gradient = unit_gradient(h, values);
+      if (gradient != Complex(0)) {
+        const Corner& corner = m_corners[h];
+        // The bisector of the corner, by the half-angle formulas.
+        const Complex bisector(std::sqrt((1 + corner.cosine) / 2), std::sqrt((1 - corner.cosine) / 2));
+        samples.push_back({corner.turn * bisector, gradient});
+      }
+    });
+  }
+
 private:
+  /// The corner of a face at the origin of a halfedge.
+  struct Corner
+  {
+    double length = 0; ///< of the halfedge
+    double cosine = 1; ///< of the angle at its origin
+    double sine = 0;   ///< 0 if the face has no area, and is to be ignored
+    Complex turn = 1;  ///< turns a vector of the face, seen from the halfedge, into the frame of the origin
+  };
+
   double angle(Index halfedge) const { return std::atan2(m_corners[halfedge].sine, m_corners[halfedge].cosine); }
+  /// Of the angle at the origin of `halfedge`; 0 where the face has no area.
+  double cotangent(Index halfedge) const
+  {
+    return m_corners[halfedge].sine > 0 ? m_corners[halfedge].cosine / m_corners[halfedge].sine : 0;
+  }
+
+  /// The unit gradient in the face of `halfedge`, in the frame of the origin of `halfedge`; 0 where there is none.
+  Complex unit_gradient(Index halfedge, const std::vector<double>& values) const
+  {
+    const Corner& corner = m_corners[halfedge];
+    if (corner.sine == 0) {
+      return 0;
+    }
+    const double here = values[m_triangulation.origin(halfedge)];
+    const Index last = Triangle_halfedges::previous(halfedge);
+    const double along = (values[m_triangulation.target(halfedge)] - here) / corner.length;
+    const double along_last = (values[m_triangulation.origin(last)] - here) / m_corners[last].length;
+    const Complex gradient(along, (along_last - along * corner.cosine) / corner.sine);
+    const double norm = std::abs(gradient);
+    return norm > 0 && std::isfinite(norm) ? corner.turn * gradient / norm : Complex(0);
+  }
+
   void measure_corners()
   {
     double sum = 0;
@@ -262,9 +359,7 @@ private:
   {
     const Vector3& from = m_complex.point(origin(halfedge));
     const Vector3 axis = m_complex.point(target(halfedge)) - from;
-    const Vector3 x = axis.unitOrthogonal();
-    const Vector3 to_apex = m_complex.point(origin(previous(halfedge))) - from;
-    return std::atan2(axis.normalized().cross(x).dot(to_apex), x.dot(to_apex));
+    return angle_around(axis.normalized(), axis.unitOrthogonal(), m_complex.point(origin(previous(halfedge))) - from);
   }
 
   const Point_complex& m_complex;
@@ -276,8 +371,8 @@ private:
 /// `Tangent_frames` that cut loci and loops need. Directions are those of the edges as seen along the normal, since the
 /// triangles of a cloud need not go once around a vertex. The first halfedge points along the real axis.
 ///
-/// Functions on the complex are differentiated in these frames: gradients by least squares over the immediate
-/// neighbors, and the Laplacian of the finite elements that the heat method uses.
+/// Functions on the complex are differentiated in these frames (supplement, appendix G.2): gradients by least squares
+/// over the immediate neighbors, and the Laplacian of the finite elements that the heat method uses.
 class Point_frames
 {
 public:
@@ -298,7 +393,7 @@ public:
     for (Index h = 0; h < complex.number_of_halfedges(); ++h) {
       m_transport[h] = carry_to_origin(h);
     }
-    collect_couplings(elements);
+    set_laplacian(elements);
   }
   Point_frames(Point_complex&&, const Cotangent_elements&) = delete;
 
@@ -325,6 +420,39 @@ public:
   /// rotation that takes one normal to the other.
   const Complex& transport_to_origin(Index halfedge) const { return m_transport[halfedge]; }
 
+  /// The mean gradient of `vertex` and its neighbors, in its frame: it is shorter than 1 where they disagree. A single
+  /// one follows the noise of a few points. O(d^2) for degree d.
+  Complex mean_gradient(Index vertex, const std::vector<double>& values) const
+  {
+    Complex sum = gradient(vertex, values);
+    double number = 1;
+    for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      sum += transport_to_origin(h) * gradient(neighbor, values);
+      number += 1;
+    });
+    return sum / number;
+  }
+
+  /// The Laplacian of `values` at `vertex`, times the spacing of the points there.
+  double laplacian(Index vertex, const std::vector<double>& values) const
+  {
+    double sum = 0;
+    for (Laplacian::InnerIterator entry(m_laplacian, Eigen::Index(vertex)); entry; ++entry) {
+      sum += entry.value() * (values[std::size_t(entry.col())] - values[vertex]);
+    }
+    return sum;
+  }
+
+  /// Collects the neighbors of `vertex`.
+  void collect_samples(Index vertex, const std::vector<double>& values, Gradient_samples& samples) const
+  {
+    collect_neighbors(
+        *this, vertex, [&](Index neighbor) { return mean_gradient(neighbor, values); }, samples);
+  }
+
+private:
+  using Laplacian = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
   /// The gradient of the linear function that fits `values` best at the neighbors of `vertex`, in its frame.
   Complex gradient(Index vertex, const std::vector<double>& values) const
   {
@@ -334,23 +462,6 @@ public:
     }
     return sum;
   }
-
-  /// The Laplacian of `values` at `vertex`, times the spacing of the points there.
-  double laplacian(Index vertex, const std::vector<double>& values) const
-  {
-    double sum = 0;
-    for (const Coupling& coupling : m_couplings[vertex]) {
-      sum += coupling.weight * (values[coupling.neighbor] - values[vertex]);
-    }
-    return sum;
-  }
-
-private:
-  struct Coupling
-  {
-    Index neighbor;
-    double weight;
-  };
 
   /// The projection of `vector` to the tangent plane of `vertex`.
   Complex in_frame(Index vertex, const Vector3& vector) const
@@ -414,56 +525,41 @@ private:
     }
   }
 
-  void collect_couplings(const Cotangent_elements& elements)
+  void set_laplacian(const Cotangent_elements& elements)
   {
-    m_couplings = Compressed_rows<Coupling>(elements.number_of_vertices(), [&](const auto& add) {
-      for (const Cotangent_elements::Face& face : elements.faces()) {
-        const std::array<double, 3> couplings = face.layout.couplings();
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Index i = face.vertices[(k + 1) % 3];
-          const Index j = face.vertices[(k + 2) % 3];
-          add(i, Coupling{j, -couplings[k] * scale(elements, i)});
-          add(j, Coupling{i, -couplings[k] * scale(elements, j)});
-        }
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Cotangent_elements::Face& face : elements.faces) {
+      const std::array<double, 3> couplings = face.layout.couplings();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index i = face.vertices[(k + 1) % 3];
+        const Index j = face.vertices[(k + 2) % 3];
+        entries.emplace_back(int(i), int(j), -couplings[k] * scale(elements, i));
+        entries.emplace_back(int(j), int(i), -couplings[k] * scale(elements, j));
       }
-    });
-    m_couplings.reduce_rows(merge_couplings);
+    }
+    m_laplacian.resize(elements.number_of_vertices(), elements.number_of_vertices());
+    m_laplacian.setFromTriplets(entries.begin(), entries.end());
   }
 
   /// What turns sums of stiffnesses into Laplacians times the spacing: that around `vertex` or, if it is larger, the
   /// mean edge length, over which the heat method smooths its distances.
   double scale(const Cotangent_elements& elements, Index vertex) const
   {
-    const double unit = elements.unit(elements.component(vertex));
-    const double mass = elements.mass(vertex) * unit * unit;
+    const double unit = elements.units[elements.component[vertex]];
+    const double mass = elements.masses[vertex] * unit * unit;
     const double area = m_complex.vertex_area(vertex);
     return mass > 0 ? std::max(m_complex.mean_edge_length(), std::sqrt(area / area_of_unit_spacing)) / mass : 0;
-  }
-
-  /// Adds up what a vertex has with the same neighbor through several faces.
-  static Coupling* merge_couplings(Coupling* first, Coupling* last)
-  {
-    std::sort(first, last, [](const Coupling& a, const Coupling& b) { return a.neighbor < b.neighbor; });
-    Coupling* end = first;
-    for (const Coupling* coupling = first; coupling != last; ++coupling) {
-      if (end != first && (end - 1)->neighbor == coupling->neighbor) {
-        (end - 1)->weight += coupling->weight;
-      } else {
-        *end++ = *coupling;
-      }
-    }
-    return end;
   }
 
   /// Relative to the projected vector: shorter projections have no direction that can be trusted.
   static constexpr double min_projection = 1e-8;
 
   const Point_complex& m_complex;
-  std::vector<Vector3> m_axis;           // of every vertex
-  std::vector<double> m_direction;       // of every halfedge
-  std::vector<Complex> m_transport;      // of every halfedge
-  std::vector<Complex> m_gradient;       // of every halfedge: what the difference of values along it adds
-  Compressed_rows<Coupling> m_couplings; // of every vertex
+  std::vector<Vector3> m_axis;      // of every vertex
+  std::vector<double> m_direction;  // of every halfedge
+  std::vector<Complex> m_transport; // of every halfedge
+  std::vector<Complex> m_gradient;  // of every halfedge: what the difference of values along it adds
+  Laplacian m_laplacian;            // times the spacing, without the diagonal
 };
 
 } // namespace CSCD::internal
