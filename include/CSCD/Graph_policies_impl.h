@@ -9,6 +9,7 @@
 #include <CSCD/Graph/Graph_separator_finder.h>
 #include <CSCD/Graph/graph_regions.h>
 #include <CSCD/Graph_policies.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Quotient_skeleton.h>
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Vector3.h>
@@ -134,7 +135,7 @@ CSCD_INLINE Graph_policies::Packing Graph_policies::pack_separators(const Spatia
     }
     weights.push_back(finder.evenness(vertices));
   }
-  internal::Separator_overlaps overlaps(graph, separators);
+  const internal::Separator_overlaps overlaps(graph, separators, Overlap_rule::nearest_vertex);
   return Packing(graph, separators, internal::pack_by_overlap(overlaps, weights));
 }
 

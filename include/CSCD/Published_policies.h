@@ -9,6 +9,7 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Options.h>
 #include <CSCD/Packing/cut_handles.h>
+#include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Quotient_skeleton.h>
@@ -20,6 +21,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
+#include <CSCD/exceptions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -94,7 +96,10 @@ std::vector<Separator> Published_policies::find_separators(const Surface& surfac
                                                            const Progress& progress) const
 {
   check_skeletonization_surface<Surface>();
-  internal::check_overlap_rule<std::decay_t<decltype(surface.triangulation())>>(m_settings.overlap_rule);
+  if (std::is_same_v<std::decay_t<decltype(surface.triangulation())>, Point_complex> &&
+      m_settings.overlap_rule == Overlap_rule::crossing) {
+    throw Input_error("separators among points cannot be tested for crossings: choose Overlap_rule::nearest_vertex");
+  }
   internal::Sampled_search<Surface> search(surface, settings, m_settings);
   const bool is_bounded = settings.maximum_number_of_sources != Options().maximum_number_of_sources;
   std::vector<Separator> separators =

@@ -86,14 +86,9 @@ std::vector<std::vector<Index>> meetings_on_triangulation(const Surface& surface
 inline std::vector<char> largest_parts(const Triangulated_surface& surface, const std::vector<Index>& region)
 {
   const auto n = Index(region.size());
-  Disjoint_sets joined(n);
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    if (region[surface.origin(h)] == region[surface.target(h)]) {
-      joined.join(surface.origin(h), surface.target(h));
-    }
-  }
   Index number_of_parts = 0;
-  const std::vector<Index> part = joined.numbers(number_of_parts);
+  const std::vector<Index> part =
+      parts_of_regions(surface, [&region](Index vertex) { return region[vertex]; }).numbers(number_of_parts);
   std::vector<Index> size(number_of_parts, 0);
   for (const Index its_part : part) {
     ++size[its_part];
@@ -207,22 +202,21 @@ private:
   {
     std::vector<Vector3> sum(m_regions.size(), Vector3::Zero());
     std::vector<Vector3> plain_sum(m_regions.size(), Vector3::Zero());
-    std::vector<double> area(m_regions.size(), 0);
+    m_area.assign(m_regions.size(), 0);
     std::vector<std::size_t> count(m_regions.size(), 0);
     for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
       const Index region = m_regions[vertex];
       sum[region] += double(m_triangulation.vertex_area(vertex)) * m_triangulation.points()[vertex];
-      area[region] += double(m_triangulation.vertex_area(vertex));
+      m_area[region] += double(m_triangulation.vertex_area(vertex));
       plain_sum[region] += m_triangulation.points()[vertex];
       ++count[region];
     }
     for (Index region = 0; region < m_regions.size(); ++region) {
       // A region may have no area, where a border was bridged.
-      const Vector3 center =
-          area[region] > 0 ? Vector3(sum[region] / area[region]) : Vector3(plain_sum[region] / double(count[region]));
+      const Vector3 center = m_area[region] > 0 ? Vector3(sum[region] / m_area[region])
+                                                : Vector3(plain_sum[region] / double(count[region]));
       builder[builder.add_node(center, 0)].pieces = {region};
     }
-    m_area = std::move(area);
     const std::vector<double> radius = radii([this](Index vertex) { return m_regions[vertex]; }, builder);
     for (Index region = 0; region < m_regions.size(); ++region) {
       builder[region].radius = radius[region];

@@ -15,9 +15,11 @@
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector3.h>
-#include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -219,27 +221,36 @@ inline bool do_segments_meet(const std::array<double, 2>& a, const std::array<do
 /// second one, which is not on c's side, is nearest to one of these. Parallel lines, vertices and edges need no special
 /// treatment. Separators that coincide, and so do not cross, overlap too. And each separator of a set without overlaps
 /// has a closed ring of vertices of its own: its part of the surface is never empty and always connected.
+/// \tparam Surface a model of `SurfaceTriangulation`, a `Point_complex` or a `Spatial_graph`
+template <class Surface>
 class Separator_overlaps
 {
 public:
-  /// Lists the separators that pass each vertex; linear in the number of crossings.
-  /// \param surface whose edges the separators cross
-  template <class Surface>
-  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
+  /// Lists the separators that pass each vertex and, where they overlap by crossing, each face; linear in the number of
+  /// crossings.
+  /// \param surface whose edges the separators cross; as `separators`, it is referred to
+  /// \param rule with `crossing`, only separators that meet overlap: in a face, or at a vertex that both pass through
+  /// \pre `rule` is not `crossing` on a surface without faces
+  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators, Overlap_rule rule)
+      : m_surface(surface), m_separators(separators), m_rule(rule), m_found(separators.size())
   {
-    list_passes(surface, separators, [](const Edge_crossing&) { return true; });
-  }
-  /// Where only separators that meet overlap: in a face, or at a vertex that both pass through. Linear.
-  /// \tparam Surface a model of `SurfaceTriangulation`
-  template <class Surface>
-  static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)
-  {
-    Separator_overlaps result;
-    result.list_passes(surface, separators, [](const Edge_crossing& crossing) {
-      return std::min(crossing.position, 1 - crossing.position) <= vertex_offset;
+    CGAL_precondition(has_faces || rule != Overlap_rule::crossing);
+    m_at_vertex = Compressed_rows<Index, std::size_t>(surface.number_of_vertices(), [this](const auto& add) {
+      for (Index i = 0; i < m_separators.size(); ++i) {
+        for_each_vertex(i, [&](Index vertex) { add(vertex, i); });
+      }
     });
-    result.list_chords(surface, separators);
-    return result;
+    if constexpr (has_faces) {
+      if (rule == Overlap_rule::crossing) {
+        m_in_face = Compressed_rows<Pass, std::size_t>(surface.number_of_faces(), [this](const auto& add) {
+          for (Index i = 0; i < m_separators.size(); ++i) {
+            for (Index k = 0; k < m_separators[i].crossings.size(); ++k) {
+              add(Surface::face(m_separators[i].crossings[k].halfedge), Pass{i, k});
+            }
+          }
+        });
+      }
+    }
   }
 
   /// The separators that overlap `separator`, in ascending order, until the next call. Linear in the number of
@@ -249,62 +260,62 @@ public:
     m_others.clear();
     m_found.clear();
     m_found.mark(separator);
-    for (const Index vertex : m_rings[separator]) {
-      for (const Index other : m_passes[vertex]) {
-        if (m_found.mark(other)) {
-          m_others.push_back(other);
+    for_each_vertex(separator, [this](Index vertex) {
+      for (const Index other : m_at_vertex[vertex]) {
+        add(other);
+      }
+    });
+    if constexpr (has_faces) {
+      for (Index k = 0; m_rule == Overlap_rule::crossing && k < m_separators[separator].crossings.size(); ++k) {
+        const auto [begin, end] = chord({separator, k});
+        for (const Pass& pass : m_in_face[Surface::face(m_separators[separator].crossings[k].halfedge)]) {
+          const auto [other_begin, other_end] = chord(pass);
+          if (!m_found.is_marked(pass.separator) && do_segments_meet(begin, end, other_begin, other_end)) {
+            add(pass.separator);
+          }
         }
       }
-    }
-    if (m_chords.number_of_rows() > 0) {
-      collect_meeting(separator);
     }
     std::sort(m_others.begin(), m_others.end());
     return m_others;
   }
 
 private:
-  /// A piece of a separator in a face, between two barycentric coordinates of its ends each.
-  struct Chord
+  static constexpr bool has_faces = CSCD_IS_VALID(const Surface&, std::decay_t<decltype(t)>::face(Index()));
+
+  /// The piece of a separator that ends at a crossing.
+  struct Pass
   {
     Index separator;
-    Index face;
-    std::array<double, 2> begin;
-    std::array<double, 2> end;
+    Index crossing;
   };
 
-  Separator_overlaps() = default;
-
-  /// Lists for each separator the vertices that it passes closest to where `is_passing(crossing)` holds, each once for
-  /// consecutive crossings, and for each vertex the separators.
-  template <class Surface, class Predicate>
-  void list_passes(const Surface& surface, const std::vector<Separator>& separators, const Predicate& is_passing)
+  void add(Index other)
   {
-    m_rings = Compressed_rows<Index, std::size_t>(separators.size(), [&](const auto& add) {
-      for (Index i = 0; i < separators.size(); ++i) {
-        Index last = no_index;
-        for (const Edge_crossing& crossing : separators[i].crossings) {
-          const Index vertex = nearest_vertex(surface, crossing);
-          if (is_passing(crossing) && vertex != last) {
-            add(i, vertex);
-            last = vertex;
-          }
-        }
-      }
-    });
-    m_passes = Compressed_rows<Index, std::size_t>(surface.number_of_vertices(), [&](const auto& add) {
-      for (Index i = 0; i < separators.size(); ++i) {
-        for (const Index vertex : m_rings[i]) {
-          add(vertex, i);
-        }
-      }
-    });
-    m_found = Epoch_marks(separators.size());
+    if (m_found.mark(other)) {
+      m_others.push_back(other);
+    }
   }
 
-  /// Lists the chords of all separators, and those in each face.
-  template <class Surface>
-  void list_chords(const Surface& surface, const std::vector<Separator>& separators)
+  /// Calls `use(vertex)` for the vertices that `separator` passes closest to or, by the rule of crossings, that it
+  /// passes through; once for consecutive crossings.
+  template <class Use>
+  void for_each_vertex(Index separator, const Use& use) const
+  {
+    Index last = no_index;
+    for (const Edge_crossing& crossing : m_separators[separator].crossings) {
+      const Index vertex = nearest_vertex(m_surface, crossing);
+      if ((m_rule == Overlap_rule::nearest_vertex ||
+           std::min(crossing.position, 1 - crossing.position) <= vertex_offset) &&
+          vertex != last) {
+        use(vertex);
+        last = vertex;
+      }
+    }
+  }
+
+  /// Two barycentric coordinates of each end of a piece.
+  std::array<std::array<double, 2>, 2> chord(const Pass& pass) const
   {
     const auto coordinates = [](Index side, double position) {
       std::array<double, 3> weights{};
@@ -312,44 +323,20 @@ private:
       weights[(side + 1) % 3] = position;
       return std::array<double, 2>{weights[0], weights[1]};
     };
-    m_chords = Compressed_rows<Chord, std::size_t>(separators.size(), [&](const auto& add) {
-      for (Index i = 0; i < separators.size(); ++i) {
-        const std::vector<Edge_crossing>& crossings = separators[i].crossings;
-        for (std::size_t k = 0; k < crossings.size(); ++k) {
-          const Edge_crossing& before = crossings[k > 0 ? k - 1 : crossings.size() - 1];
-          add(i, Chord{i, Surface::face(crossings[k].halfedge),
-                       coordinates(surface.twin(before.halfedge) % 3, 1 - before.position),
-                       coordinates(crossings[k].halfedge % 3, crossings[k].position)});
-        }
-      }
-    });
-    m_chords_in_face = Compressed_rows<Index, std::size_t>(surface.number_of_faces(), [this](const auto& add) {
-      for (Index chord = 0; chord < m_chords.number_of_values(); ++chord) {
-        add(m_chords.values()[chord].face, chord);
-      }
-    });
+    const std::vector<Edge_crossing>& crossings = m_separators[pass.separator].crossings;
+    const Edge_crossing& before = pass.crossing > 0 ? crossings[pass.crossing - 1] : crossings.back();
+    const Edge_crossing& here = crossings[pass.crossing];
+    return {coordinates(m_surface.twin(before.halfedge) % 3, 1 - before.position),
+            coordinates(here.halfedge % 3, here.position)};
   }
 
-  void collect_meeting(Index separator)
-  {
-    for (const Chord& chord : m_chords[separator]) {
-      for (const Index other : m_chords_in_face[chord.face]) {
-        const Chord& candidate = m_chords.values()[other];
-        if (!m_found.is_marked(candidate.separator) &&
-            do_segments_meet(chord.begin, chord.end, candidate.begin, candidate.end)) {
-          m_found.mark(candidate.separator);
-          m_others.push_back(candidate.separator);
-        }
-      }
-    }
-  }
-
-  Compressed_rows<Index, std::size_t> m_rings;          ///< of every separator, the vertices that it passes
-  Compressed_rows<Index, std::size_t> m_passes;         ///< of every vertex, the separators that pass it
-  Compressed_rows<Chord, std::size_t> m_chords;         ///< of every separator
-  Compressed_rows<Index, std::size_t> m_chords_in_face; ///< their places
-  Epoch_marks m_found;                                  ///< of the separators
-  std::vector<Index> m_others;                          ///< of the separator that was asked for
+  const Surface& m_surface;
+  const std::vector<Separator>& m_separators;
+  Overlap_rule m_rule;
+  Compressed_rows<Index, std::size_t> m_at_vertex; ///< of every vertex, the separators that pass it
+  Compressed_rows<Pass, std::size_t> m_in_face;    ///< of every face, by the rule of crossings
+  Epoch_marks m_found;                             ///< of the separators
+  std::vector<Index> m_others;                     ///< of the separator that was asked for
 };
 
 /// Packs separators that do not overlap, greedily (section 3.2.3): first those whose weight is large against the
@@ -357,7 +344,8 @@ private:
 /// local separators.
 /// \param weights for each separator, how good it is; those of weight 0 are not packed
 /// \return the packed separators, the first packed first; equal ones in the order of their numbers
-inline std::vector<Index> pack_by_overlap(Separator_overlaps& overlaps, const std::vector<double>& weights)
+template <class Surface>
+std::vector<Index> pack_by_overlap(Separator_overlaps<Surface> overlaps, const std::vector<double>& weights)
 {
   const std::size_t size = weights.size();
   std::vector<double> order_weight(size, 0);
@@ -384,6 +372,20 @@ inline std::vector<Index> pack_by_overlap(Separator_overlaps& overlaps, const st
     }
   }
   return packed;
+}
+
+/// The connected parts of regions: edges within a region join their ends. Near linear.
+/// \param region returns the region of a vertex
+template <class Surface, class Region>
+Disjoint_sets parts_of_regions(const Surface& surface, const Region& region)
+{
+  Disjoint_sets result(surface.number_of_vertices());
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if (region(surface.origin(h)) == region(surface.target(h))) {
+      result.join(surface.origin(h), surface.target(h));
+    }
+  }
+  return result;
 }
 
 /// Assigns every vertex to the packed separator that is nearest along the edges (Alg. 2, line 12). Each separator
@@ -440,15 +442,6 @@ private:
   Index m_size;
 };
 
-/// \throw Input_error if separators on a `Triangulation` cannot be tested by `rule`
-template <class Triangulation>
-void check_overlap_rule(Overlap_rule rule)
-{
-  if (std::is_same_v<Triangulation, Point_complex> && rule == Overlap_rule::crossing) {
-    throw Input_error("separators among points cannot be tested for crossings: choose Overlap_rule::nearest_vertex");
-  }
-}
-
 /// Packed separators, and the regions of the surface that are nearest to them or the surface cut along them.
 class Region_packing
 {
@@ -475,7 +468,7 @@ public:
 
   /// Weighs, prunes and packs `separators` by the rules of `settings`; counts in `report`.
   /// \return the packed ones, as positions, the first packed first
-  /// \throw Input_error if the overlap rule is not one for the surface
+  /// \pre among points, separators are not tested for crossings
   /// \tparam Surface a model of `SkeletonizationSurface`
   template <class Surface>
   static std::vector<Index> pack(const Surface& surface, const std::vector<Separator>& separators,
@@ -492,14 +485,15 @@ public:
     const auto& triangulation = surface.triangulation();
     if constexpr (!std::is_same_v<std::decay_t<decltype(triangulation)>, Point_complex>) {
       drop_self_crossings(triangulation, separators, weights);
+    }
+    std::vector<Index> packed =
+        pack_by_overlap(Separator_overlaps(triangulation, separators, settings.overlap_rule), weights);
+    if constexpr (!std::is_same_v<std::decay_t<decltype(triangulation)>, Point_complex>) {
       if (settings.overlap_rule == Overlap_rule::crossing) {
-        Separator_overlaps overlaps = Separator_overlaps::meeting(triangulation, separators);
-        return resolved(triangulation, separators, pack_by_overlap(overlaps, weights));
+        return resolved(triangulation, separators, std::move(packed));
       }
     }
-    check_overlap_rule<std::decay_t<decltype(triangulation)>>(settings.overlap_rule);
-    Separator_overlaps overlaps(triangulation, separators);
-    return pack_by_overlap(overlaps, weights);
+    return packed;
   }
 
 private:
@@ -527,7 +521,11 @@ private:
     std::vector<Index> kept;
     for (;;) {
       const Separator_regions regions(surface, separators, packed, Overlap_rule::crossing);
-      const std::vector<Index> number_of_parts = count_parts(surface, regions);
+      Disjoint_sets parts = parts_of_regions(surface, [&regions](Index vertex) { return regions[vertex]; });
+      std::vector<Index> number_of_parts(regions.size(), 0);
+      for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+        number_of_parts[regions[vertex]] += parts.find(vertex) == vertex ? 1 : 0;
+      }
       kept.clear();
       for (std::size_t i = 0; i < packed.size(); ++i) {
         if (number_of_parts[i] == 1) {
@@ -539,24 +537,6 @@ private:
       }
       packed.swap(kept);
     }
-  }
-
-  /// For each region, into how many parts it falls that are connected by edges.
-  template <class Triangulation>
-  static std::vector<Index> count_parts(const Triangulation& surface, const Separator_regions& regions)
-  {
-    std::vector<Index> result(regions.size(), 0);
-    Disjoint_sets parts(surface.number_of_vertices());
-    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-      ++result[regions[vertex]];
-    }
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      const Index region = regions[surface.origin(h)];
-      if (region == regions[surface.target(h)] && parts.join(surface.origin(h), surface.target(h))) {
-        --result[region];
-      }
-    }
-    return result;
   }
 
   std::vector<Index> m_packed;
