@@ -128,10 +128,11 @@ void extract_cut_locus(const TriangleMesh& mesh,
   using Face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   const auto face_range = faces(mesh);
   const std::vector<Face_descriptor> face_descriptors(face_range.begin(), face_range.end());
-  const auto to_input_location = [&face_descriptors](const internal::Face_point& at) {
+  const auto to_input_location = [&face_descriptors](const std::pair<Index, std::array<double, 3>>& at) {
+    const auto& [face, weights] = at;
     // Triangles are collected from the target of the face's halfedge on.
-    return std::pair<Face_descriptor, std::array<double, 3>>(face_descriptors[at.face],
-                                                             {at.weights[2], at.weights[0], at.weights[1]});
+    return std::pair<Face_descriptor, std::array<double, 3>>(face_descriptors[face],
+                                                             {weights[2], weights[0], weights[1]});
   };
   internal::write_cut_locus(result, normalization, to_input_location, cut_locus);
 }

@@ -15,12 +15,15 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <boost/graph/adjacency_list.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,32 +64,11 @@ using Point_cut_locus_graph =
 
 namespace CSCD::internal {
 
-/// A point of a face: the sum of its corners, the origins of its halfedges in order, by barycentric weights.
-struct Face_point
-{
-  Index face = no_index;
-  std::array<double, 3> weights{};
-};
-
-/// A cut locus in the coordinates of the surface. \tparam Location where on the surface a vertex is
-template <class Location>
-struct Extracted_cut_locus
-{
-  struct Vertex
-  {
-    Vector3 point;
-    Location location;
-    double distance;
-  };
-
-  std::vector<Vertex> vertices;
-  std::vector<std::pair<Index, Index>> edges;
-};
-
-/// Finds the cut locus of some vertices of a surface, its loops closed; see `extract_cut_locus()`.
+/// Finds the cut locus of some vertices of a surface, its loops closed, in the coordinates of that; see
+/// `extract_cut_locus()`. A location is a face and the weights of the origins of its halfedges, in order.
 /// \param pairing that of the faces of `triangles`, which are a manifold, perhaps with borders
 /// \param distances of all vertices; none if they are to be estimated
-CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed_triangles&& triangles,
+CSCD_INLINE Cut_locus_graph<Vector3, Index> extract_cut_locus_of_surface(Indexed_triangles&& triangles,
                                                                          Halfedge_pairing&& pairing,
                                                                          const std::vector<Index>& sources,
                                                                          std::vector<double>&& distances,
@@ -97,10 +79,10 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
 /// \param sources numbers of points of the input; `cloud` holds the different points
 /// \param distances of all points of the cloud; none if they are to be estimated
 /// \throw Input_error if the points do not sample a surface, or a source is not on it
-CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_cloud& cloud,
-                                                                   const std::vector<std::size_t>& sources,
-                                                                   std::vector<double>&& distances,
-                                                                   const Cut_locus_settings& settings);
+CSCD_INLINE Point_cut_locus_graph<Vector3, Index> extract_cut_locus_of_points(const Point_cloud& cloud,
+                                                                              const std::vector<std::size_t>& sources,
+                                                                              std::vector<double>&& distances,
+                                                                              const Cut_locus_settings& settings);
 
 /// A distance that was given for an element of the input. \param element what a message calls it
 /// \throw Input_error if it is not a number
@@ -113,21 +95,20 @@ inline double checked_distance(double distance, const char* element, std::size_t
   return distance;
 }
 
-/// Writes a cut locus to a graph. \param to_input_location gives the location that the graph holds
-template <class Location, class ToInputLocation, class Graph>
-void write_cut_locus(const Extracted_cut_locus<Location>& cut_locus, const Normalization& normalization,
+/// Writes a cut locus in the coordinates of a surface to a graph in those of the input.
+/// \param to_input_location gives the location that the graph holds
+template <class CutLocus, class ToInputLocation, class Graph>
+void write_cut_locus(const CutLocus& cut_locus, const Normalization& normalization,
                      const ToInputLocation& to_input_location, Graph& graph)
 {
-  Graph result(cut_locus.vertices.size());
-  for (Index i = 0; i < cut_locus.vertices.size(); ++i) {
-    const auto& vertex = cut_locus.vertices[i];
-    using Point = std::decay_t<decltype(result[i].point)>;
-    result[i].point = internal::make_point<Point>(normalization.to_input(vertex.point));
-    result[i].location = to_input_location(vertex.location);
-    result[i].distance = normalization.unit * vertex.distance;
+  Graph result(num_vertices(cut_locus));
+  for (const auto v : CGAL::make_range(vertices(cut_locus))) {
+    using Point = std::decay_t<decltype(result[v].point)>;
+    result[v] = {internal::make_point<Point>(normalization.to_input(cut_locus[v].point)),
+                 to_input_location(cut_locus[v].location), normalization.unit * cut_locus[v].distance};
   }
-  for (const auto& [a, b] : cut_locus.edges) {
-    add_edge(a, b, result);
+  for (const auto edge : CGAL::make_range(edges(cut_locus))) {
+    add_edge(source(edge, cut_locus), target(edge, cut_locus), result);
   }
   graph = std::move(result);
 }
