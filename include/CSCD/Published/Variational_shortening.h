@@ -19,7 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -223,12 +225,8 @@ inline void solve_cyclic_tridiagonal(std::vector<double>& diagonal, const std::v
 inline void resample_polygon(const std::vector<Vector3>& points, std::size_t number, std::vector<Vector3>& samples)
 {
   CGAL_precondition(!points.empty() && number > 0);
-  double length = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    length += (points[(i + 1) % points.size()] - points[i]).norm();
-  }
   samples.clear();
-  const double step = length / double(number);
+  const double step = measure_polygon(points).length / double(number);
   double begin = 0; // of the side that follows `side`
   std::size_t side = 0;
   double side_length = (points[1 % points.size()] - points[0]).norm();
@@ -396,11 +394,8 @@ private:
 
   static double product(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
   {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      sum += a[i].dot(b[i]);
-    }
-    return sum;
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0., std::plus<>(),
+                              [](const Vector3& u, const Vector3& v) { return u.dot(v); });
   }
 
   /// Iterates to the least energy. The gradient is made tangential and spread along the curve by the inverse of the
