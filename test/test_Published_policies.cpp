@@ -13,7 +13,6 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published/Cut_loop_finder.h>
 #include <CSCD/Published/Field_search_settings.h>
-#include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>

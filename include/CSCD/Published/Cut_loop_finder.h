@@ -6,13 +6,13 @@
 #ifndef CSCD_PUBLISHED_CUT_LOOP_FINDER_H
 #define CSCD_PUBLISHED_CUT_LOOP_FINDER_H
 
-#include <CSCD/Published/Cut_locus_indicators.h>
+#include <CSCD/Published/Cut_tree.h>
 #include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/internal/flat_arrays.h>
-
-#include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -157,47 +157,62 @@ struct Cut_loop
   double distance = 0;
 };
 
-/// Selects the target of a source among its cut points, traces the two paths back from it, and joins them (supplement,
-/// Alg. 3, lines 3 to 6). Cut points are tried in the order of the rule until one passes all tests, so that only
-/// vertices that come before the target are looked at. One object serves one thread, and keeps working memory of the
-/// size of the surface.
-/// \tparam Measures `Cut_locus_indicators`
-template <class Measures>
+/// Finds closed curves from distance fields as published (supplement, Alg. 3, lines 2 to 6): selects the target of a
+/// source among its cut points, by the thresholds of Laplacian and gradient angle or on the cut locus, traces the two
+/// paths back from it, and joins them. Cut points are tried in the order of the rule until one passes all tests, so
+/// that only vertices that come before the target are looked at. One object serves one thread, and keeps working memory
+/// of the size of the surface. \tparam Space a `Field_search_space`
+template <class Space>
 class Cut_loop_finder
 {
 public:
-  using Frames = typename Measures::Frames;
-  using Triangulation = std::decay_t<decltype(std::declval<const Frames&>().triangulation())>;
-
-  /// \param points the positions of the vertices; as `frames`, it is referred to and must outlive this object
-  Cut_loop_finder(const Frames& frames, const std::vector<Vector3>& points)
-      : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_on_first(points.size())
+  /// \param space is referred to, as \param settings: which cut point is the target, and what cut points are
+  Cut_loop_finder(const Space& space, const Field_search_settings& settings)
+      : m_frames(space.frames), m_triangulation(space.frames.triangulation()), m_points(space.surface.points()),
+        m_settings(settings), m_cut_locus(is_of_points ? point_cut_locus_settings() : Cut_locus_settings()),
+        m_on_first(m_points.size())
   {
-    CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
-  }
-
-  /// Finds the loop of a source at `source_point` with the cut points where `is_cut(vertex)` holds. The source is in a
-  /// face at the vertex `source`, the end of the paths. O(n + k log n) for n vertices if k vertices come before
-  /// the target.
-  template <class Predicate>
-  void find(const Measures& measures, Index source, const Vector3& source_point, Target_rule rule,
-            const Predicate& is_cut, Cut_loop& loop)
-  {
-    m_source_point = source_point;
-    loop.outcome = Cut_loop_outcome::no_cut_point;
-    loop.halfedges.clear();
-    collect_candidates(measures, rule);
-    while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found) {
-      std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
-      const Index vertex = m_candidates.back().second;
-      m_candidates.pop_back();
-      if (is_cut(vertex)) {
-        loop.outcome = try_target(measures, source, vertex, loop);
-      }
+    m_cut_locus.laplacian_threshold = settings.laplacian_threshold.value_or(m_cut_locus.laplacian_threshold);
+    m_cut_locus.angle_threshold = settings.angle_threshold.value_or(m_cut_locus.angle_threshold);
+    m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
+    if constexpr (!is_of_points) {
+      m_has_handles =
+          genus_of_closed_surface(space.heat_method.elements.number_of_components(),
+                                  m_triangulation.number_of_vertices(), m_triangulation.number_of_faces()) > 0;
     }
   }
 
+  /// Finds the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths; `distances`
+  /// has the distance of every vertex from there. The loop is valid until the next call. O(n + k log n) for n vertices
+  /// if k vertices come before the target; O(n log n) where the tree of the cut locus is built.
+  const Cut_loop& operator()(Index source, const Vector3& source_point, const std::vector<double>& distances)
+  {
+    const Measures measures(m_frames, distances);
+    std::optional<Cut_tree> cut;
+    if (m_settings.cut_locus_rule == Cut_locus_rule::tree) {
+      cut.emplace(find_cut_tree(measures, {source}, m_cut_locus, m_has_handles));
+    }
+    m_source_point = source_point;
+    m_loop.outcome = Cut_loop_outcome::no_cut_point;
+    m_loop.halfedges.clear();
+    collect_candidates(measures);
+    while (!m_candidates.empty() && m_loop.outcome != Cut_loop_outcome::found) {
+      std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+      const Index vertex = m_candidates.back().second;
+      m_candidates.pop_back();
+      if (cut ? cut->is_kept(vertex) : measures.is_cut(vertex, m_cut_locus)) {
+        m_loop.outcome = try_target(measures, source, vertex);
+      }
+    }
+    return m_loop;
+  }
+
 private:
+  using Frames = typename Space::Frames;
+  using Measures = Cut_locus_indicators<Frames>;
+  using Triangulation = std::decay_t<decltype(std::declval<const Frames&>().triangulation())>;
+  static constexpr bool is_of_points = std::is_same_v<Frames, Point_frames>;
+
   /// A target is farther from its source than this many mean edge lengths: nearer, the field of the heat method is
   /// inaccurate.
   static constexpr double min_distance = 4;
@@ -207,15 +222,15 @@ private:
   /// surface: it is 0.64 on a round tube, about 0 around a bump. This decides about more targets than any other test.
   static constexpr double min_path_separation = 0.3;
 
-  /// Makes a heap of the vertices that are far enough from the source, the nearest by `rule` first.
-  void collect_candidates(const Measures& measures, Target_rule rule)
+  /// Makes a heap of the vertices that are far enough from the source, the nearest by the rule of targets first.
+  void collect_candidates(const Measures& measures)
   {
+    const bool is_in_space = m_settings.target_rule == Target_rule::nearest_in_space;
     m_candidates.clear();
     const double min_key = min_distance * m_frames.mean_edge_length();
     for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
       if (measures.is_reached(vertex) && measures.distance(vertex) >= min_key) {
-        m_candidates.emplace_back(rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_source_point).norm()
-                                                                        : measures.distance(vertex),
+        m_candidates.emplace_back(is_in_space ? (m_points[vertex] - m_source_point).norm() : measures.distance(vertex),
                                   vertex);
       }
     }
@@ -223,10 +238,10 @@ private:
   }
 
   /// Traces the loop of `source` through `target`.
-  Cut_loop_outcome try_target(const Measures& measures, Index source, Index target, Cut_loop& loop)
+  Cut_loop_outcome try_target(const Measures& measures, Index source, Index target)
   {
-    loop.distance = measures.distance(target);
-    if (loop.distance < min_distance_to_chord * (m_points[target] - m_source_point).norm()) {
+    m_loop.distance = measures.distance(target);
+    if (m_loop.distance < min_distance_to_chord * (m_points[target] - m_source_point).norm()) {
       return Cut_loop_outcome::distance_below_chord;
     }
     const std::optional<std::array<Index, 2>> directions = incoming_directions(measures, target);
@@ -244,12 +259,12 @@ private:
       return Cut_loop_outcome::meets_at_once;
     }
     const double separation = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm();
-    if (separation < min_path_separation * loop.distance) {
+    if (separation < min_path_separation * m_loop.distance) {
       return Cut_loop_outcome::narrow;
     }
-    loop.halfedges = m_path[0];
+    m_loop.halfedges = m_path[0];
     for (auto h = m_path[1].rbegin(); h != m_path[1].rend(); ++h) {
-      loop.halfedges.push_back(m_triangulation.twin(*h));
+      m_loop.halfedges.push_back(m_triangulation.twin(*h));
     }
     return Cut_loop_outcome::found;
   }
@@ -301,10 +316,14 @@ private:
   const Frames& m_frames;
   const Triangulation& m_triangulation;
   const std::vector<Vector3>& m_points;
+  const Field_search_settings& m_settings;
+  Cut_locus_settings m_cut_locus;
+  bool m_has_handles = false;                         ///< around which cut loci have loops
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
   std::array<std::vector<Index>, 2> m_path;           ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
   Vector3 m_source_point = Vector3::Zero();
+  Cut_loop m_loop;
 };
 
 } // namespace CSCD::internal

@@ -9,7 +9,7 @@
 #include <CSCD/Options.h>
 #include <CSCD/Published/Cut_loop_finder.h>
 #include <CSCD/Published/Field_search_settings.h>
-#include <CSCD/Published/Field_separator_finder.h>
+#include <CSCD/Published/Field_search_space.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Surface_path.h>
@@ -302,12 +302,12 @@ public:
   Group_search(const Search_levels<Surface>& levels, const Field_search_settings& settings) : m_levels(levels)
   {
     for (Index level = levels.finest(); level <= levels.coarsest(); ++level) {
-      m_finders.push_back(std::make_unique<Finder>(levels[level], settings));
+      m_finders.push_back(std::make_unique<Cut_loop_finder<Space>>(levels[level], settings));
     }
-    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
-      if (levels.unflipped()) {
-        m_shorten_coarse.emplace(levels.surface().levels(), *levels.unflipped());
-      }
+    if (levels.finest() == 0) {
+      m_shorten = levels[0].make_shortening();
+    } else if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      m_shorten_coarse.emplace(levels.surface().levels(), *levels.unflipped());
     }
   }
 
@@ -321,7 +321,7 @@ public:
   }
 
 private:
-  using Finder = Field_separator_finder<typename Search_levels<Surface>::Space>;
+  using Space = typename Search_levels<Surface>::Space;
 
   /// The least length of a loop in mean edge lengths of its level, except on the finest level. Chosen on armadillo and
   /// warrior: with 8 errors are greater and tips fewer; with 16 nothing is gained.
@@ -330,8 +330,8 @@ private:
   /// Searches from the pending sources, and leaves those pending that need a finer level.
   void search_level(Index level, Source_group& group)
   {
-    const auto& space = m_levels[level];
-    Finder& finder = *m_finders[level - m_levels.finest()];
+    const Space& space = m_levels[level];
+    Cut_loop_finder<Space>& find_loop = *m_finders[level - m_levels.finest()];
     std::vector<Level_source> sources;
     std::vector<std::vector<Geodesic_source>> source_sets;
     for (const Index i : m_pending) {
@@ -347,7 +347,7 @@ private:
         std::transform(distances.begin(), distances.end(), group.distance.begin(), group.distance.begin(),
                        [](double distance, float least) { return std::min(least, float(distance)); });
       }
-      const Cut_loop& loop = finder.find_loop(sources[k].vertex, sources[k].point, distances);
+      const Cut_loop& loop = find_loop(sources[k].vertex, sources[k].point, distances);
       const bool is_found = loop.outcome == Cut_loop_outcome::found;
       if (level > m_levels.finest() &&
           !(is_found && 2 * loop.distance >= min_edges_of_loop * space.frames.mean_edge_length())) {
@@ -366,7 +366,7 @@ private:
   Shortening_outcome shorten(Index level, const std::vector<Index>& halfedges, Separator& separator)
   {
     if (level == 0) {
-      return m_finders.front()->shorten(halfedges, separator.source, separator);
+      return (*m_shorten)(halfedges, separator.source, separator);
     }
     Vertex_loop loop;
     for (const Index halfedge : halfedges) {
@@ -376,8 +376,9 @@ private:
   }
 
   const Search_levels<Surface>& m_levels;
-  std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
-  std::optional<Coarse_loop_shortening> m_shorten_coarse;
+  std::vector<std::unique_ptr<Cut_loop_finder<Space>>> m_finders; ///< of the levels that have distances
+  std::unique_ptr<typename Space::Shortening> m_shorten;          ///< on the finest level, if that has distances
+  std::optional<Coarse_loop_shortening> m_shorten_coarse;         ///< of other levels
   Heat_workspace m_workspace;
   std::vector<Index> m_pending; ///< places in the group
 };

@@ -1,30 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds the separator of a source from its distance field over the whole surface (algorithm 3).
+// What a search from distance fields needs of a surface or of points: distances, frames, the shortening of loops.
 
-#ifndef CSCD_PUBLISHED_FIELD_SEPARATOR_FINDER_H
-#define CSCD_PUBLISHED_FIELD_SEPARATOR_FINDER_H
+#ifndef CSCD_PUBLISHED_FIELD_SEARCH_SPACE_H
+#define CSCD_PUBLISHED_FIELD_SEARCH_SPACE_H
 
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Curve_trace.h>
-#include <CSCD/Published/Cut_locus_indicators.h>
-#include <CSCD/Published/Cut_loop_finder.h>
-#include <CSCD/Published/Cut_tree.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
-#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Surface_path.h>
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector3.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
+#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -141,7 +136,7 @@ struct Field_search_space
   {
   }
 
-  Shortening make_shortening() const { return {surface, triangulation}; }
+  std::unique_ptr<Shortening> make_shortening() const { return std::make_unique<Shortening>(surface, triangulation); }
 
   const Surface& surface;
   Intrinsic_triangulation triangulation;
@@ -164,7 +159,7 @@ struct Field_search_space<Point_complex>
   {
   }
 
-  Shortening make_shortening() const { return {surface, projection}; }
+  std::unique_ptr<Shortening> make_shortening() const { return std::make_unique<Shortening>(surface, projection); }
 
   const Point_complex& surface;
   Heat_method heat_method;
@@ -172,68 +167,6 @@ struct Field_search_space<Point_complex>
   Moving_least_squares_projection projection;
 };
 
-/// Finds separators from distance fields as published (Alg. 3): cut points by the thresholds of Laplacian and gradient
-/// angle or the cut locus, the target, two paths back from it, and shortening within the locality ball. One object
-/// serves one thread; it keeps working memory of the size of the surface.
-/// \tparam Space a `Field_search_space`
-template <class Space>
-class Field_separator_finder
-{
-public:
-  /// \param space is referred to, as \param settings: which cut point is the target, and what cut points are
-  Field_separator_finder(const Space& space, const Field_search_settings& settings)
-      : m_frames(space.frames), m_settings(settings),
-        m_cut_locus(is_of_points ? point_cut_locus_settings() : Cut_locus_settings()),
-        m_loop_finder(space.frames, space.surface.points()), m_shorten(space.make_shortening())
-  {
-    m_cut_locus.laplacian_threshold = settings.laplacian_threshold.value_or(m_cut_locus.laplacian_threshold);
-    m_cut_locus.angle_threshold = settings.angle_threshold.value_or(m_cut_locus.angle_threshold);
-    m_cut_locus.minimum_branch_length = settings.minimum_branch_length;
-    if constexpr (!is_of_points) {
-      const Index number_of_components = space.heat_method.elements.number_of_components();
-      m_has_handles = genus_of_closed_surface(number_of_components, m_frames.triangulation().number_of_vertices(),
-                                              m_frames.triangulation().number_of_faces()) > 0;
-    }
-  }
-
-  /// Finds the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths; `distances`
-  /// has the distance of every vertex from there. The loop is valid until the next call. O(n) for n vertices, though
-  /// the loop takes most of the work; O(n log n) where the tree of the cut locus is built.
-  const Cut_loop& find_loop(Index source, const Vector3& source_point, const std::vector<double>& distances)
-  {
-    const Measures measures(m_frames, distances);
-    const auto find = [&](const auto& is_cut) {
-      m_loop_finder.find(measures, source, source_point, m_settings.target_rule, is_cut, m_loop);
-    };
-    if (m_settings.cut_locus_rule == Cut_locus_rule::tree) {
-      const Cut_tree cut = find_cut_tree(measures, {source}, m_cut_locus, m_has_handles);
-      find([&](Index vertex) { return cut.is_kept(vertex); });
-    } else {
-      find([&](Index vertex) { return measures.is_cut(vertex, m_cut_locus); });
-    }
-    return m_loop;
-  }
-
-  /// Shortens the loop along `halfedges` to the separator of `source`.
-  Shortening_outcome shorten(const std::vector<Index>& halfedges, Index source, Separator& separator)
-  {
-    return m_shorten(halfedges, source, separator);
-  }
-
-private:
-  using Frames = typename Space::Frames;
-  using Measures = Cut_locus_indicators<Frames>;
-  static constexpr bool is_of_points = std::is_same_v<Frames, Point_frames>;
-
-  const Frames& m_frames;
-  const Field_search_settings& m_settings;
-  Cut_locus_settings m_cut_locus;
-  bool m_has_handles = false; // around which cut loci have loops
-  Cut_loop_finder<Measures> m_loop_finder;
-  typename Space::Shortening m_shorten;
-  Cut_loop m_loop;
-};
-
 } // namespace CSCD::internal
 
-#endif // CSCD_PUBLISHED_FIELD_SEPARATOR_FINDER_H
+#endif // CSCD_PUBLISHED_FIELD_SEARCH_SPACE_H
