@@ -10,7 +10,6 @@
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Cotangent_elements.h>
 #include <CSCD/Published/Cut_locus_extraction.h>
-#include <CSCD/Published/Cut_locus_indicators.h>
 #include <CSCD/Published/Cut_tree.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
