@@ -63,6 +63,7 @@ private:
     double position; ///< along the curve, from its first point
     double distance;
     double height; ///< of the vertex on the left side of the ribbon, negative on the right
+    Vector3 normal;
   };
 
   struct Located_crossing
@@ -140,37 +141,36 @@ private:
       longest = std::max(longest, m_complex.length(h));
     }
     const double width = band_width * longest;
-    Vector3 normal = Vector3::Zero();
-    const Foot foot = find_foot(vertex, side, 2 * width, normal);
+    const Foot foot = find_foot(vertex, side, 2 * width);
     if (foot.distance <= width) {
       m_is_met.mark(vertex);
       m_foot[vertex] = foot;
       // One that looks the other way is of a fold, or of another sheet: there one does not go on.
-      if (m_complex.normal(vertex).dot(normal) > 0) {
+      if (m_complex.normal(vertex).dot(foot.normal) > 0) {
         m_band.push_back(vertex);
       }
     }
   }
 
   /// The foot of `vertex` among the sides not farther than `reach` along the curve from `first`.
-  Foot find_foot(Index vertex, std::size_t first, double reach, Vector3& normal) const
+  Foot find_foot(Index vertex, std::size_t first, double reach) const
   {
-    Foot foot{0, std::numeric_limits<double>::max(), 0};
-    try_side(vertex, first, foot, normal);
+    Foot foot{0, std::numeric_limits<double>::max(), 0, Vector3::Zero()};
+    try_side(vertex, first, foot);
     const double half = length() / 2;
     for (const bool is_forward : {true, false}) {
       std::size_t side = first;
       double passed = 0;
       while (passed < std::min(reach, half)) {
         side = is_forward ? after(side) : before(side);
-        try_side(vertex, side, foot, normal);
+        try_side(vertex, side, foot);
         passed += side_length(side);
       }
     }
     return foot;
   }
 
-  void try_side(Index vertex, std::size_t side, Foot& foot, Vector3& normal) const
+  void try_side(Index vertex, std::size_t side, Foot& foot) const
   {
     const Projected_point& a = m_points[side];
     const Projected_point& b = m_points[after(side)];
@@ -182,8 +182,8 @@ private:
     const double distance = from_foot.norm();
     if (distance < foot.distance) {
       const Vector3 left = (1 - part) * m_left[side] + part * m_left[after(side)];
-      foot = {m_begin[side] + part * side_length(side), distance, from_foot.dot(left)};
-      normal = (1 - part) * a.normal + part * b.normal;
+      foot = {m_begin[side] + part * side_length(side), distance, from_foot.dot(left),
+              (1 - part) * a.normal + part * b.normal};
     }
   }
 

@@ -319,36 +319,29 @@ public:
   static Index other_copy(Index halfedge) { return 6 * (halfedge / 6) + 5 - halfedge % 6; }
 
 private:
-  /// A triangle at an edge.
-  struct Wing
-  {
-    Index edge;
-    double angle;   // around the edge, counterclockwise for who looks against its direction
-    Index halfedge; // of the copy that runs with the edge: it looks to where the angle grows
-
-    bool operator<(const Wing& other) const
-    {
-      return std::tie(edge, angle, halfedge) < std::tie(other.edge, other.angle, other.halfedge);
-    }
-  };
-
   void glue()
   {
-    std::vector<Wing> wings;
+    // Of each triangle at an edge: the edge, the angle around it, counterclockwise for who looks against its direction,
+    // and the halfedge of the copy that runs with the edge, which looks to where the angle grows.
+    std::vector<std::tuple<Index, double, Index>> wings;
     wings.reserve(m_sides.size() / 2);
     for (Index h = 0; h < number_of_halfedges(); ++h) {
       if (m_complex.edge(m_sides[h]) == m_sides[h]) {
-        wings.push_back({m_sides[h], angle(h), h});
+        wings.emplace_back(m_sides[h], angle(h), h);
       }
     }
     std::sort(wings.begin(), wings.end());
     m_twins.resize(m_sides.size());
     for (auto begin = wings.cbegin(); begin != wings.cend();) {
-      const auto end = std::find_if(begin, wings.cend(), [&](const Wing& wing) { return wing.edge != begin->edge; });
+      const auto is_of_other_edge = [edge = std::get<0>(*begin)](const auto& wing) {
+        return std::get<0>(wing) != edge;
+      };
+      const auto end = std::find_if(begin, wings.cend(), is_of_other_edge);
       for (auto wing = begin; wing != end; ++wing) {
-        const Index next = other_copy((wing + 1 == end ? begin : wing + 1)->halfedge);
-        m_twins[wing->halfedge] = next;
-        m_twins[next] = wing->halfedge;
+        const Index h = std::get<2>(*wing);
+        const Index next = other_copy(std::get<2>(wing + 1 == end ? *begin : *(wing + 1)));
+        m_twins[h] = next;
+        m_twins[next] = h;
       }
       begin = end;
     }
