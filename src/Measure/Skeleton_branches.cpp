@@ -19,6 +19,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/unordered_map.hpp>
+#include <boost/unordered_set.hpp>
 
 #include <algorithm>
 #include <array>
@@ -120,248 +121,120 @@ inline std::vector<Index> nodes_of_faces(const Assigned_surface& surface)
   return result;
 }
 
-/// Adds up area and volume of the faces of each branch, and of the cones that close them.
-class Surface_part_measurement
+/// The vertex where `halfedge` begins.
+Index origin(const Assigned_surface& surface, Index halfedge)
 {
-public:
-  Surface_part_measurement(const Skeleton& skeleton, const Assigned_surface& surface, Skeleton_branches& branches)
-      : m_skeleton(skeleton), m_surface(surface), m_branches(branches.branches),
-        m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size()),
-        m_node_of_face(nodes_of_faces(surface)), m_anchor(skeleton.number_of_nodes(), no_index),
-        m_borders(surface.points.size()), m_middle(surface.points.size())
-  {
-    for (const Vector3& point : surface.points) {
-      m_origin += point / double(surface.points.size());
-    }
-    find_anchors();
-    find_middles_of_borders();
-  }
+  return surface.triangles[halfedge / 3][halfedge % 3];
+}
 
-  void measure()
-  {
-    for (Skeleton_branch& branch : m_branches) {
-      branch.surface_area = branch.volume = 0;
-    }
-    double total = 0;
-    for (std::size_t f = 0; f < m_node_of_face.size(); ++f) {
-      if (m_node_of_face[f] != no_index) {
-        total += add_face(f);
-      }
-    }
-    if (total < 0) { // the surface faces inwards
-      for (Skeleton_branch& branch : m_branches) {
-        branch.volume = -branch.volume;
-      }
-    }
-  }
-
-private:
-  /// The anchor of a node is the nearer junction at an end of its branch, of a junction itself: the apex of cones.
-  void find_anchors()
-  {
-    for (const Skeleton_branch& branch : m_branches) {
-      const bool has_first = branch.ends[0] == Branch_end::junction;
-      const bool has_last = branch.ends[1] == Branch_end::junction;
-      for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
-        const bool is_first_nearer = 2 * i < branch.nodes.size();
-        m_anchor[branch.nodes[i]] = has_first && (is_first_nearer || !has_last) ? branch.nodes.front()
-                                    : has_last                                  ? branch.nodes.back()
-                                                                                : branch.nodes[i];
-      }
-    }
-  }
-
-  void find_middles_of_borders()
-  {
-    std::vector<Index> border;
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      if (m_pairing.twin(h) == no_index) {
-        m_borders.join(origin(h), origin(Halfedge_pairing::next(h)));
-        border.push_back(origin(h));
-      }
-    }
-    std::vector<double> number(m_surface.points.size(), 0);
-    for (const Index vertex : border) {
-      m_middle[m_borders.find(vertex)] += m_surface.points[vertex];
-      ++number[m_borders.find(vertex)];
-    }
-    for (std::size_t v = 0; v < number.size(); ++v) {
-      m_middle[v] /= std::max(number[v], 1.);
-    }
-  }
-
-  Index origin(Index halfedge) const { return m_surface.triangles[halfedge / 3][halfedge % 3]; }
-
-  double tetrahedron(const Vector3& a, const Vector3& b, const Vector3& c) const
-  {
-    return (a - m_origin).cross(b - m_origin).dot(c - m_origin) / 6;
-  }
-
-  /// \return the volume that is added
-  double add_face(std::size_t face)
-  {
-    const auto& [a, b, c] = m_surface.triangles[face];
-    const std::array<Vector3, 3> corners{m_surface.points[a], m_surface.points[b], m_surface.points[c]};
-    Skeleton_branch& branch = m_branches[m_branch_of_node[m_node_of_face[face]]];
-    branch.surface_area += triangle_area(corners[0], corners[1], corners[2]);
-    double volume = tetrahedron(corners[0], corners[1], corners[2]);
-    for (Index side = 0; side < 3; ++side) {
-      if (const std::optional<Vector3> apex = apex_behind(Index(3 * face + side))) {
-        volume += tetrahedron(corners[(side + 1) % 3], corners[side], *apex);
-      }
-    }
-    branch.volume += volume;
-    return volume;
-  }
-
-  /// The apex of the cone that closes the part of a face at one of its sides; nothing if the part goes on there.
-  std::optional<Vector3> apex_behind(Index halfedge)
-  {
-    const Index node = m_node_of_face[halfedge / 3];
-    const Index twin = m_pairing.twin(halfedge);
-    if (twin == no_index) {
-      return m_middle[m_borders.find(origin(halfedge))];
-    }
-    const Index other = m_node_of_face[twin / 3];
-    if (other == no_index) {
-      return m_skeleton.points[m_anchor[node]];
-    }
-    if (m_branch_of_node[node] == m_branch_of_node[other]) {
-      return std::nullopt;
-    }
-    return (m_skeleton.points[m_anchor[node]] + m_skeleton.points[m_anchor[other]]) / 2;
-  }
-
-  const Skeleton& m_skeleton;
-  const Assigned_surface& m_surface;
-  std::vector<Skeleton_branch>& m_branches;
-  const std::vector<Index>& m_branch_of_node;
-  Halfedge_pairing m_pairing;
-  std::vector<Index> m_node_of_face;
-  Vector3 m_origin = Vector3::Zero(); ///< near the surface, so that volumes do not cancel
-  std::vector<Index> m_anchor;        ///< of each node
-  Disjoint_sets m_borders;            ///< of vertices
-  std::vector<Vector3> m_middle;
-};
-
-/// Measures the surface around one node after the other.
-class Node_measurement
+/// The anchor of a node is the nearer junction at an end of its branch, of a junction itself: the apex of cones.
+std::vector<Index> anchors_of_nodes(const Skeleton_branches& branches)
 {
-public:
-  Node_measurement(const Skeleton& skeleton, const Assigned_surface& surface)
-      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton)),
-        m_pairing(surface.triangles, surface.points.size()), m_is_near(surface.triangles.size()),
-        m_is_passed(surface.triangles.size())
-  {
-    std::vector<Bounding_box> boxes(surface.triangles.size());
-    for (Index face = 0; face < boxes.size(); ++face) {
-      for (const Index corner : surface.triangles[face]) {
-        boxes[face].extend(surface.points[corner]);
-      }
+  std::vector<Index> anchors(branches.branch_of_node.size(), no_index);
+  for (const Skeleton_branch& branch : branches.branches) {
+    const bool has_first = branch.ends[0] == Branch_end::junction;
+    const bool has_last = branch.ends[1] == Branch_end::junction;
+    for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
+      const bool is_first_nearer = 2 * i < branch.nodes.size();
+      anchors[branch.nodes[i]] = has_first && (is_first_nearer || !has_last) ? branch.nodes.front()
+                                 : has_last                                  ? branch.nodes.back()
+                                                                             : branch.nodes[i];
     }
-    m_faces = Box_tree(boxes);
   }
+  return anchors;
+}
 
-  Node_measures operator()(Index node)
-  {
-    constexpr double max_distance = 3; // in radii: what reaches farther is not a section of the limb alone
-    const Vector3& center = m_skeleton.points[node];
-    const double reach = max_distance * m_skeleton.radii[node];
-    double least = std::numeric_limits<double>::infinity(); // squared distance
-    m_near.clear();
-    m_is_near.clear();
-    m_faces.visit([&](const Bounding_box& box) { return box.squared_distance(center) <= reach * reach; },
-                  [&](Index face) {
-                    least = std::min(least, squared_distance(center, face));
-                    m_near.push_back(face);
-                    m_is_near.mark(face);
-                  });
-    Node_measures result;
-    result.inscribed_radius = least <= reach * reach ? std::sqrt(least) : result.inscribed_radius;
-    if (const Vector3 direction = direction_at(node); direction != Vector3::Zero()) {
-      result.section_area = section_area(center, direction);
+/// For each vertex on a border, the middle of that.
+std::vector<Vector3> middles_of_borders(const Assigned_surface& surface, const Halfedge_pairing& pairing)
+{
+  const std::size_t number_of_vertices = surface.points.size();
+  Disjoint_sets borders(number_of_vertices);
+  std::vector<Index> on_border;
+  for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
+    if (pairing.twin(h) == no_index) {
+      on_border.push_back(origin(surface, h));
+      borders.join(on_border.back(), origin(surface, Halfedge_pairing::next(h)));
     }
-    return result;
   }
+  std::vector<Vector3> sums(number_of_vertices);
+  std::vector<double> numbers(number_of_vertices, 0);
+  for (const Index vertex : on_border) {
+    sums[borders.find(vertex)] += surface.points[vertex];
+    ++numbers[borders.find(vertex)];
+  }
+  std::vector<Vector3> middles(number_of_vertices);
+  for (const Index vertex : on_border) {
+    middles[vertex] = sums[borders.find(vertex)] / numbers[borders.find(vertex)];
+  }
+  return middles;
+}
 
-private:
+/// Along the skeleton, unit length; zero at junctions and isolated nodes.
+Vector3 direction_at(const Skeleton& skeleton, Index node, const std::vector<Index>& neighbors)
+{
+  if (neighbors.empty() || neighbors.size() > 2) {
+    return Vector3::Zero();
+  }
+  const Vector3& from = skeleton.points[neighbors.size() == 2 ? neighbors[1] : node];
+  return (skeleton.points[neighbors[0]] - from).normalized();
+}
+
+double squared_distance(const Vector3& point, const Assigned_surface& surface, Index face)
+{
   using Kernel = CGAL::Simple_cartesian<double>;
+  const auto corner = [&](std::size_t i) {
+    return make_point<Kernel::Point_3>(surface.points[surface.triangles[face][i]]);
+  };
+  return CGAL::squared_distance(make_point<Kernel::Point_3>(point),
+                                Kernel::Triangle_3(corner(0), corner(1), corner(2)));
+}
 
-  /// Along the skeleton, unit length; zero at junctions and isolated nodes.
-  Vector3 direction_at(Index node) const
-  {
-    const std::vector<Index>& neighbors = m_neighbors[node];
-    if (neighbors.empty() || neighbors.size() > 2) {
-      return Vector3::Zero();
-    }
-    const Vector3& from = neighbors.size() == 2 ? m_skeleton.points[neighbors[1]] : m_skeleton.points[node];
-    return (m_skeleton.points[neighbors[0]] - from).normalized();
-  }
-
-  /// The area within the closed curve that the plane through `center` perpendicular to `normal`, of unit length, cuts
-  /// out of the faces nearby and that winds around the center, the least of several; not a number if there is none.
-  double section_area(const Vector3& center, const Vector3& normal)
-  {
-    const auto height = [&](Index vertex) { return (m_surface.points[vertex] - center).dot(normal); };
-    const auto corner = [&](Index halfedge) { return m_surface.triangles[halfedge / 3][halfedge % 3]; };
-    const auto next = [](Index halfedge) { return Halfedge_pairing::next(halfedge); };
-    const auto goes = [&](Index halfedge, bool is_up) {
-      return (height(corner(next(halfedge))) > 0) == is_up && (height(corner(halfedge)) > 0) != is_up;
-    };
-    const auto place = [&](Index halfedge) -> Vector3 { // relative to the center
-      const Vector3& from = m_surface.points[corner(halfedge)];
-      const Vector3& to = m_surface.points[corner(next(halfedge))];
-      const double t = height(corner(halfedge)) / (height(corner(halfedge)) - height(corner(next(halfedge))));
-      return (1 - t) * from + t * to - center;
-    };
-    double least = Skeleton_branch::unknown;
-    m_is_passed.clear();
-    for (const Index face : m_near) {
-      Index entry = 3 * face;
-      while (entry < 3 * face + 3 && !goes(entry, true)) {
-        ++entry;
-      }
-      if (entry == 3 * face + 3) {
-        continue;
-      }
-      double area = 0;
-      double angle = 0;
-      while (entry != no_index && m_is_near.is_marked(entry / 3) && m_is_passed.mark(entry / 3)) {
-        const Index exit = goes(next(entry), false) ? next(entry) : next(next(entry));
-        const Vector3 p = place(entry);
-        const Vector3 q = place(exit);
-        const double twice_area = p.cross(q).dot(normal);
-        area += twice_area / 2;
-        angle += std::atan2(twice_area, p.dot(q));
-        entry = m_pairing.twin(exit);
-      }
-      constexpr double half_turn = boost::math::double_constants::pi; // that of a closed curve is a multiple of a turn
-      const bool is_closed = entry != no_index && entry / 3 == face;
-      if (is_closed && std::abs(angle) > half_turn && !(std::abs(area) >= least)) {
-        least = std::abs(area);
+/// The area within the closed curve that the plane through `center` perpendicular to `normal`, of unit length, cuts out
+/// of the faces `near` and that winds around the center, the least of several; not a number if there is none.
+double section_area(const Assigned_surface& surface, const Halfedge_pairing& pairing, const std::vector<Index>& near,
+                    const Vector3& center, const Vector3& normal)
+{
+  const auto height = [&](Index halfedge) { return (surface.points[origin(surface, halfedge)] - center).dot(normal); };
+  const auto next = [](Index halfedge) { return Halfedge_pairing::next(halfedge); };
+  const auto goes = [&](Index halfedge, bool is_up) {
+    return (height(next(halfedge)) > 0) == is_up && (height(halfedge) > 0) != is_up;
+  };
+  const auto place = [&](Index halfedge) -> Vector3 { // relative to the center
+    const double t = height(halfedge) / (height(halfedge) - height(next(halfedge)));
+    return (1 - t) * surface.points[origin(surface, halfedge)] + t * surface.points[origin(surface, next(halfedge))] -
+           center;
+  };
+  std::vector<Index> entries;        // of curves into faces
+  boost::unordered_set<Index> ahead; // those of these faces that no curve has passed yet
+  for (const Index face : near) {
+    for (Index halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge) {
+      if (goes(halfedge, true)) {
+        entries.push_back(halfedge);
+        ahead.insert(face);
       }
     }
-    return least;
   }
-
-  double squared_distance(const Vector3& point, Index face) const
-  {
-    const auto to_point = [](const Vector3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
-    const auto& [a, b, c] = m_surface.triangles[face];
-    const Kernel::Triangle_3 triangle(to_point(m_surface.points[a]), to_point(m_surface.points[b]),
-                                      to_point(m_surface.points[c]));
-    return CGAL::squared_distance(to_point(point), triangle);
+  double least = Skeleton_branch::unknown;
+  for (const Index first : entries) {
+    double area = 0;
+    double angle = 0;
+    Index entry = first;
+    while (entry != no_index && ahead.erase(entry / 3) != 0) {
+      const Index exit = goes(next(entry), false) ? next(entry) : next(next(entry));
+      const Vector3 p = place(entry);
+      const Vector3 q = place(exit);
+      const double twice_area = p.cross(q).dot(normal);
+      area += twice_area / 2;
+      angle += std::atan2(twice_area, p.dot(q));
+      entry = pairing.twin(exit);
+    }
+    constexpr double half_turn = boost::math::double_constants::pi; // that of a closed curve is a multiple of a turn
+    if (entry == first && std::abs(angle) > half_turn && !(std::abs(area) >= least)) {
+      least = std::abs(area);
+    }
   }
-
-  const Skeleton& m_skeleton;
-  const Assigned_surface& m_surface;
-  std::vector<std::vector<Index>> m_neighbors;
-  Halfedge_pairing m_pairing;
-  Box_tree m_faces;
-  std::vector<Index> m_near; ///< faces within reach of the node
-  Epoch_marks m_is_near;     ///< of faces: whether among these
-  Epoch_marks m_is_passed;   ///< of faces: whether their curve was followed
-};
+  return least;
+}
 
 } // namespace
 
@@ -412,17 +285,90 @@ Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<I
 
 void measure_surface_parts(const Skeleton& skeleton, const Assigned_surface& surface, Skeleton_branches& branches)
 {
-  Surface_part_measurement(skeleton, surface, branches).measure();
+  const Halfedge_pairing pairing(surface.triangles, surface.points.size());
+  const std::vector<Index> nodes = nodes_of_faces(surface);
+  const std::vector<Index> anchors = anchors_of_nodes(branches);
+  const std::vector<Vector3> middles = middles_of_borders(surface, pairing);
+  Vector3 center; // near the surface, so that volumes do not cancel
+  for (const Vector3& point : surface.points) {
+    center += point / double(surface.points.size());
+  }
+  const auto tetrahedron = [&](const Vector3& a, const Vector3& b, const Vector3& c) {
+    return (a - center).cross(b - center).dot(c - center) / 6;
+  };
+  const auto branch_of_face = [&](Index face) { return branches.branch_of_node[nodes[face]]; };
+  // The apex of the cone that closes the part of a face at one of its sides; nothing if the part goes on there.
+  const auto apex_behind = [&](Index halfedge) -> std::optional<Vector3> {
+    const auto anchor = [&](Index face) -> const Vector3& { return skeleton.points[anchors[nodes[face]]]; };
+    const Index face = halfedge / 3;
+    const Index other = pairing.twin(halfedge) / 3;
+    if (pairing.twin(halfedge) == no_index) {
+      return middles[origin(surface, halfedge)];
+    }
+    if (nodes[other] == no_index) {
+      return anchor(face);
+    }
+    return branch_of_face(face) == branch_of_face(other) ? std::nullopt
+                                                         : std::optional((anchor(face) + anchor(other)) / 2);
+  };
+  for (Skeleton_branch& branch : branches.branches) {
+    branch.surface_area = branch.volume = 0;
+  }
+  double total = 0;
+  for (Index face = 0; face < nodes.size(); ++face) {
+    if (nodes[face] == no_index) {
+      continue;
+    }
+    const auto& [a, b, c] = surface.triangles[face];
+    const std::array<Vector3, 3> corners{surface.points[a], surface.points[b], surface.points[c]};
+    double volume = tetrahedron(corners[0], corners[1], corners[2]);
+    for (Index side = 0; side < 3; ++side) {
+      if (const std::optional<Vector3> apex = apex_behind(3 * face + side)) {
+        volume += tetrahedron(corners[(side + 1) % 3], corners[side], *apex);
+      }
+    }
+    Skeleton_branch& branch = branches.branches[branch_of_face(face)];
+    branch.surface_area += triangle_area(corners[0], corners[1], corners[2]);
+    branch.volume += volume;
+    total += volume;
+  }
+  if (total < 0) { // the surface faces inwards
+    for (Skeleton_branch& branch : branches.branches) {
+      branch.volume = -branch.volume;
+    }
+  }
 }
 
 std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const Assigned_surface& surface)
 {
   CGAL_precondition(skeleton.has_radii());
-  Node_measurement measure(skeleton, surface);
-  std::vector<Node_measures> result;
-  result.reserve(skeleton.number_of_nodes());
-  for (Index node = 0; node < skeleton.number_of_nodes(); ++node) {
-    result.push_back(measure(node));
+  constexpr double max_distance = 3; // in radii: what reaches farther is not a section of the limb alone
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  const Halfedge_pairing pairing(surface.triangles, surface.points.size());
+  std::vector<Bounding_box> boxes(surface.triangles.size());
+  for (Index face = 0; face < boxes.size(); ++face) {
+    for (const Index corner : surface.triangles[face]) {
+      boxes[face].extend(surface.points[corner]);
+    }
+  }
+  const Box_tree faces(boxes);
+  std::vector<Node_measures> result(skeleton.number_of_nodes());
+  for (Index node = 0; node < result.size(); ++node) {
+    const Vector3& center = skeleton.points[node];
+    const double reach = max_distance * skeleton.radii[node];
+    double least = std::numeric_limits<double>::infinity(); // squared distance
+    std::vector<Index> near;
+    faces.visit([&](const Bounding_box& box) { return box.squared_distance(center) <= reach * reach; },
+                [&](Index face) {
+                  least = std::min(least, squared_distance(center, surface, face));
+                  near.push_back(face);
+                });
+    if (least <= reach * reach) {
+      result[node].inscribed_radius = std::sqrt(least);
+    }
+    if (const Vector3 direction = direction_at(skeleton, node, neighbors[node]); direction != Vector3::Zero()) {
+      result[node].section_area = section_area(surface, pairing, near, center, direction);
+    }
   }
   return result;
 }
