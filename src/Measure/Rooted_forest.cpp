@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -61,7 +60,7 @@ std::vector<std::vector<Index>> split_into_branches(const std::vector<std::vecto
 }
 
 Rooted_forest::Rooted_forest(const Skeleton& skeleton, const std::vector<Index>& roots)
-    : m_parent(skeleton.number_of_nodes(), no_index)
+    : m_parent(skeleton.number_of_nodes(), no_index), m_root(skeleton.number_of_nodes())
 {
   m_order.reserve(skeleton.number_of_nodes());
   const std::vector<std::vector<Index>> neighbors = cut_cycles(skeleton);
@@ -75,8 +74,7 @@ Rooted_forest::Rooted_forest(const Skeleton& skeleton, const std::vector<Index>&
 
 std::vector<std::vector<Index>> Rooted_forest::cut_cycles(const Skeleton& skeleton)
 {
-  std::vector<Index> edges(skeleton.edges.size());
-  std::iota(edges.begin(), edges.end(), Index(0));
+  std::vector<Index> edges = all_indices(skeleton.edges.size());
   if (skeleton.has_radii()) {
     const auto thickness = [&skeleton](Index e) {
       return skeleton.radii[skeleton.edges[e][0]] + skeleton.radii[skeleton.edges[e][1]];
@@ -106,6 +104,7 @@ void Rooted_forest::grow_from(Index root, const std::vector<std::vector<Index>>&
     const Index node = open.back();
     open.pop_back();
     m_order.push_back(node);
+    m_root[node] = root;
     for (const Index neighbor : neighbors[node]) {
       if (m_parent[neighbor] == no_index) {
         m_parent[neighbor] = node;
@@ -117,23 +116,12 @@ void Rooted_forest::grow_from(Index root, const std::vector<std::vector<Index>>&
 
 namespace {
 
-/// For each node the root of its tree in a forest.
-std::vector<Index> roots_of_nodes(const Rooted_forest& forest)
-{
-  std::vector<Index> root(forest.order().size());
-  for (const Index node : forest.order()) {
-    root[node] = forest.is_root(node) ? node : root[forest.parent(node)];
-  }
-  return root;
-}
-
 /// Of each component, the node whose `cost(node)` is least; the first of several.
 std::vector<Index> least_nodes(const Rooted_forest& forest, const std::function<double(Index)>& cost)
 {
-  const std::vector<Index> root = roots_of_nodes(forest);
-  std::vector<Index> best(root.size(), no_index); // of the component with this root
-  for (Index node = 0; node < root.size(); ++node) {
-    Index& its_best = best[root[node]];
+  std::vector<Index> best(forest.order().size(), no_index); // of the component with this root
+  for (Index node = 0; node < best.size(); ++node) {
+    Index& its_best = best[forest.root(node)];
     if (its_best == no_index || cost(node) < cost(its_best)) {
       its_best = node;
     }
@@ -166,17 +154,14 @@ std::vector<Index> find_roots(const Skeleton& skeleton, Root_rule rule)
       return rule == Root_rule::lowest ? skeleton.points[node].z() : -skeleton.radii[node];
     });
   }
-  std::vector<Index> one_end = farthest_nodes(skeleton, forest);
-  const Rooted_forest forest_from_end(skeleton, one_end);
-  const std::vector<Index> root = roots_of_nodes(forest_from_end);
-  std::vector<Index> result;
-  result.reserve(one_end.size());
-  for (const Index other_end : farthest_nodes(skeleton, forest_from_end)) {
-    const Index end = root[other_end];
-    const bool is_thicker = skeleton.has_radii() && skeleton.radii[other_end] > skeleton.radii[end];
-    result.push_back(is_thicker ? other_end : end);
+  const Rooted_forest forest_from_end(skeleton, farthest_nodes(skeleton, forest));
+  std::vector<Index> ends = farthest_nodes(skeleton, forest_from_end);
+  for (Index& end : ends) {
+    const Index other_end = forest_from_end.root(end);
+    const bool is_thicker = skeleton.has_radii() && skeleton.radii[end] > skeleton.radii[other_end];
+    end = is_thicker ? end : other_end;
   }
-  return result;
+  return ends;
 }
 
 std::vector<Index> find_roots(const Skeleton& skeleton, const Vector3& point)

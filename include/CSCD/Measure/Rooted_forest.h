@@ -40,6 +40,8 @@ public:
   /// The parent of `node`; a root is its own.
   Index parent(Index node) const { return m_parent[node]; }
   bool is_root(Index node) const { return m_parent[node] == node; }
+  /// The root of the tree of `node`.
+  Index root(Index node) const { return m_root[node]; }
   /// The edges that are not in the forest; each of them closes a cycle.
   const std::vector<std::array<Index, 2>>& loops() const { return m_loops; }
 
@@ -49,6 +51,7 @@ private:
   void grow_from(Index root, const std::vector<std::vector<Index>>& neighbors);
 
   std::vector<Index> m_parent;
+  std::vector<Index> m_root;
   std::vector<Index> m_order;
   std::vector<std::array<Index, 2>> m_loops;
 };
