@@ -82,10 +82,9 @@ struct Compared_skeleton
       samples = skeleton.points;
     }
     Skeleton_distance result;
-    Work_limit work;
     std::size_t number_matched = 0;
     for (const Vector3& sample : samples) {
-      const double d = other.tree.nearest(sample, work).distance;
+      const double d = other.tree.nearest(sample).distance;
       result.mean += d;
       result.maximum = std::max(result.maximum, d);
       number_matched += d <= match_distance ? 1 : 0;
@@ -93,7 +92,7 @@ struct Compared_skeleton
     result.mean /= double(samples.size());
     result.fraction_matched = double(number_matched) / double(samples.size());
     for (const Vector3& point : skeleton.points) {
-      result.maximum = std::max(result.maximum, other.tree.nearest(point, work).distance);
+      result.maximum = std::max(result.maximum, other.tree.nearest(point).distance);
     }
     return result;
   }

@@ -115,11 +115,10 @@ std::vector<double> estimate_radii(const std::vector<Vector3>& points, const Ske
   std::vector<double> radii(skeleton.number_of_nodes(), 0.);
   std::vector<double> weight(skeleton.number_of_nodes(), 0.);
   double total = 0;
-  Work_limit work;
   for (const Vector3& point : points) {
-    const Segment_point nearest = tree.nearest(point, work);
+    const Segment_point nearest = tree.nearest(point);
     const double t = nearest.parameter;
-    const auto& [source, target] = tree.ends(nearest.segment);
+    const auto& [source, target] = tree.segments()[nearest.segment];
     radii[source] += (1 - t) * nearest.distance;
     weight[source] += 1 - t;
     radii[target] += t * nearest.distance;

@@ -80,36 +80,23 @@ class Round_cone_field
 {
 public:
   /// \pre `skeleton` has nodes, and radii, which are positive or zero
-  explicit Round_cone_field(const Skeleton& skeleton)
+  explicit Round_cone_field(const Skeleton& skeleton) : m_tree(skeleton, skeleton.radii)
   {
     CGAL_precondition(skeleton.has_radii());
-    const std::vector<std::array<Index, 2>> ends = segment_ends(skeleton);
-    std::vector<Bounding_box> boxes(ends.size());
-    m_cones.reserve(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const auto& [u, v] = ends[i];
+    for (const auto& [u, v] : m_tree.segments()) {
       m_cones.emplace_back(skeleton.points[u], skeleton.points[v], skeleton.radii[u], skeleton.radii[v]);
-      for (const Index node : ends[i]) {
-        boxes[i].extend(skeleton.points[node] - Vector3::Constant(skeleton.radii[node]));
-        boxes[i].extend(skeleton.points[node] + Vector3::Constant(skeleton.radii[node]));
-      }
     }
-    m_tree = Box_tree(boxes);
   }
 
   /// The signed distance of `point`; O(log n) where the cones are well spread.
   double operator()(const Vector3& point) const
   {
     double least = std::numeric_limits<double>::infinity();
-    std::size_t steps = 0;
     m_tree.minimize([&](const Bounding_box& box) { return bound(box, point); },
                     [&](Index i) {
-                      ++steps;
-                      const double distance = m_cones[i].signed_distance(point);
-                      least = std::min(least, distance);
-                      return distance;
+                      least = std::min(least, m_cones[i].signed_distance(point));
+                      return least;
                     });
-    m_work.add(steps);
     return least;
   }
 
@@ -124,9 +111,8 @@ private:
     return distance - slack * std::abs(distance);
   }
 
+  Segment_tree m_tree;
   std::vector<Round_cone> m_cones;
-  Box_tree m_tree;
-  mutable Work_limit m_work;
 };
 
 /// The convolution of a skeleton with the inverse quartic kernel.

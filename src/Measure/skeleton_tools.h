@@ -98,45 +98,6 @@ inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double sp
   return samples;
 }
 
-/// Counts steps of searches, and refuses searches of hours: the edges of a skeleton that are all near each other,
-/// as those of a complete graph.
-class Work_limit
-{
-public:
-  /// Adds the steps of one search. \throw Input_error if these were too many
-  void add(std::size_t steps)
-  {
-    constexpr std::size_t most = std::size_t(1) << 31; // half a minute
-    constexpr std::size_t most_of_each = 1024;         // on the average; in skeletons of bodies there are a hundred
-    m_steps += steps;
-    ++m_number;
-    if (m_steps > std::max(most, most_of_each * m_number)) {
-      throw Input_error("too many edges of the skeleton are near each other to be measured: simplify it first");
-    }
-  }
-
-private:
-  std::size_t m_steps = 0;
-  std::size_t m_number = 0; // of searches
-};
-
-/// The ends of the edges of `skeleton`, in order, and after them twice the number of each node that has no edge: such a
-/// node is a segment of length zero. Linear.
-inline std::vector<std::array<Index, 2>> segment_ends(const Skeleton& skeleton)
-{
-  std::vector<std::array<Index, 2>> ends = skeleton.edges;
-  std::vector<char> has_edge(skeleton.number_of_nodes(), 0);
-  for (const auto& [u, v] : skeleton.edges) {
-    has_edge[u] = has_edge[v] = 1;
-  }
-  for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
-    if (has_edge[v] == 0) {
-      ends.push_back({v, v});
-    }
-  }
-  return ends;
-}
-
 /// Takes pairs of things of two kinds, the nearest first, each thing at most once. \return the pairs that were taken
 /// \param pairs distance and numbers; of equal distances the least numbers come first
 inline std::vector<std::array<Index, 2>> take_nearest_pairs(std::vector<std::tuple<double, Index, Index>>&& pairs)
@@ -188,45 +149,70 @@ struct Segment_point
   double distance = 0;  ///< from the query point
 };
 
-/// A search structure over segments; those of length zero are points. A query is O(log n) if segments are well spread.
+/// A search structure over the edges of a skeleton, and over its nodes without edges as segments of length zero. A
+/// query is O(log n) if they are well spread.
 class Segment_tree
 {
 public:
-  /// Over the edges of `skeleton` and its nodes without edges. O(n log n).
-  explicit Segment_tree(const Skeleton& skeleton) : m_points(skeleton.points), m_segments(segment_ends(skeleton))
+  /// O(n log n). \param radii of balls around the nodes, which the boxes hold too; empty if there are none
+  explicit Segment_tree(const Skeleton& skeleton, const std::vector<double>& radii = {})
+      : m_points(skeleton.points), m_segments(skeleton.edges)
   {
+    const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+    for (Index node = 0; node < neighbors.size(); ++node) {
+      if (neighbors[node].empty()) {
+        m_segments.push_back({node, node});
+      }
+    }
     std::vector<Bounding_box> boxes(m_segments.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      boxes[i].extend(m_points[m_segments[i][0]]);
-      boxes[i].extend(m_points[m_segments[i][1]]);
+      for (const Index node : m_segments[i]) {
+        const Vector3 radius = Vector3::Constant(radii.empty() ? 0 : radii[node]);
+        boxes[i].extend(m_points[node] - radius);
+        boxes[i].extend(m_points[node] + radius);
+      }
     }
     m_tree = Box_tree(boxes);
   }
 
-  /// The ends of the segment with this number.
-  const std::array<Index, 2>& ends(Index segment) const { return m_segments[segment]; }
+  /// The ends of the segments: of the edges in order, then of the nodes without edges.
+  const std::vector<std::array<Index, 2>>& segments() const { return m_segments; }
+
+  /// Searches as `Box_tree::minimize()` does.
+  /// \throw Input_error if searches would take hours: the edges are all near each other, as those of a complete graph
+  template <class Bound, class Visit>
+  void minimize(const Bound& bound, const Visit& visit) const
+  {
+    constexpr std::size_t most = std::size_t(1) << 31; // segments in all searches: half a minute
+    constexpr std::size_t most_of_each = 1024;         // on the average; in skeletons of bodies there are a hundred
+    m_tree.minimize(bound, [&](Index segment) {
+      ++m_number_of_visits;
+      return visit(segment);
+    });
+    ++m_number_of_searches;
+    if (m_number_of_visits > std::max(most, most_of_each * m_number_of_searches)) {
+      throw Input_error("too many edges of the skeleton are near each other to be measured: simplify it first");
+    }
+  }
 
   /// The point of all segments that is nearest to `point`; on ties that of the first segment. \pre there are segments
-  /// \throw Input_error see `Work_limit`
-  Segment_point nearest(const Vector3& point, Work_limit& work) const
+  /// \throw Input_error as `minimize()` does
+  Segment_point nearest(const Vector3& point) const
   {
     constexpr double slack = 1 - 1e-12; // far above rounding: boxes as near as the nearest edge so far are entered
     double least = std::numeric_limits<double>::infinity();
     Index nearest = no_index;
-    std::size_t steps = 0;
-    m_tree.minimize([&](const Bounding_box& box) { return slack * box.squared_distance(point); },
-                    [&](Index i) {
-                      ++steps;
-                      const Vector3& source = m_points[m_segments[i][0]];
-                      const Vector3& target = m_points[m_segments[i][1]];
-                      const double square = (source + parameter(i, point) * (target - source) - point).squaredNorm();
-                      if (square < least || (square == least && i < nearest)) {
-                        least = square;
-                        nearest = i;
-                      }
-                      return square;
-                    });
-    work.add(steps);
+    minimize([&](const Bounding_box& box) { return slack * box.squared_distance(point); },
+             [&](Index i) {
+               const Vector3& source = m_points[m_segments[i][0]];
+               const Vector3& target = m_points[m_segments[i][1]];
+               const double square = (source + parameter(i, point) * (target - source) - point).squaredNorm();
+               if (square < least || (square == least && i < nearest)) {
+                 least = square;
+                 nearest = i;
+               }
+               return square;
+             });
     return {nearest, parameter(nearest, point), std::sqrt(least)};
   }
 
@@ -239,6 +225,8 @@ private:
   std::vector<Vector3> m_points;
   std::vector<std::array<Index, 2>> m_segments;
   Box_tree m_tree;
+  mutable std::size_t m_number_of_visits = 0; // of segments, by all searches
+  mutable std::size_t m_number_of_searches = 0;
 };
 
 } // namespace CSCD::internal
