@@ -131,17 +131,26 @@ public:
   {
     CGAL_precondition(skeleton.has_radii());
     Disjoint_sets places(skeleton.number_of_nodes()); // of nodes that edges of length zero join
+    std::vector<double> radius = skeleton.radii;      // of the ball at each node, infinite at an edge of any length
     for (const std::array<Index, 2>& edge : skeleton.edges) {
       const double length = skeleton.length(edge);
       if (length > 0) {
         const Vector3& source = skeleton.points[edge[0]];
         m_edges.push_back({source, (skeleton.points[edge[1]] - source) / length, length, skeleton.radii[edge[0]],
                            skeleton.radii[edge[1]]});
+        radius[edge[0]] = radius[edge[1]] = std::numeric_limits<double>::infinity();
       } else {
         places.join(edge[0], edge[1]);
       }
     }
-    add_balls(skeleton, places);
+    for (Index v = 0; v < radius.size(); ++v) {
+      radius[places.find(v)] = std::max(radius[places.find(v)], radius[v]);
+    }
+    for (Index v = 0; v < radius.size(); ++v) {
+      if (places.find(v) == v && std::isfinite(radius[v])) {
+        m_balls.push_back({skeleton.points[v], radius[v]});
+      }
+    }
   }
 
   /// F at `point`. Linear in the number of edges.
@@ -182,26 +191,6 @@ private:
   {
     const double ratio = ball.radius * ball.radius / std::max((point - ball.center).squaredNorm(), min_square);
     return ratio * ratio;
-  }
-
-  /// Adds a ball for each place without an edge of any length, of the greatest radius of its nodes.
-  void add_balls(const Skeleton& skeleton, Disjoint_sets& places)
-  {
-    std::vector<char> has_length(skeleton.number_of_nodes(), 0);
-    for (const std::array<Index, 2>& edge : skeleton.edges) {
-      if (skeleton.length(edge) > 0) {
-        has_length[places.find(edge[0])] = has_length[places.find(edge[1])] = 1;
-      }
-    }
-    std::vector<double> radius(skeleton.number_of_nodes(), 0.);
-    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
-      radius[places.find(v)] = std::max(radius[places.find(v)], skeleton.radii[v]);
-    }
-    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
-      if (places.find(v) == v && has_length[v] == 0) {
-        m_balls.push_back({skeleton.points[v], radius[v]});
-      }
-    }
   }
 
   /// Squared distances below this, in squared units of the skeleton's coordinates, count as this: the kernel has a
