@@ -215,12 +215,12 @@ Skeleton read_skeleton_argument(const std::string& filename)
 
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options)
 {
-  CSCD::internal::Measured_input measured;
+  CSCD::Checked_triangles measured;
   if (input.is_point_set) {
-    measured.points.assign(input.points.begin(), input.points.begin() + std::ptrdiff_t(input.number_of_points));
+    measured.triangles.points.assign(input.points.begin(),
+                                     input.points.begin() + std::ptrdiff_t(input.number_of_points));
   } else {
-    CSCD::Checked_triangles checked = CSCD::check_triangles(std::vector(input.points), std::vector(input.faces));
-    measured = {std::move(checked.triangles), std::move(checked.pairing), {}, true};
+    measured = CSCD::check_triangles(std::vector(input.points), std::vector(input.faces));
   }
   return CSCD::internal::evaluate_skeleton(std::move(measured), Skeleton(skeleton),
                                            {options.radii == own_radii, options.resolution});

@@ -143,12 +143,13 @@ class Measured_surface
 public:
   /// Near linear.
   /// \throw Input_error if a mesh has no extent, or if points are missing, not finite, or all equal
-  explicit Measured_surface(Measured_input&& input) : points(std::move(input.points))
+  explicit Measured_surface(Checked_triangles&& input)
   {
-    if (input.is_mesh) {
+    if (!input.triangles.faces.empty()) {
       bound_body(std::move(input.triangles), std::move(input.pairing));
       return;
     }
+    points = std::move(input.triangles.points);
     if (points.empty()) {
       throw Input_error("the input has no points to measure the skeleton against: check how it was read");
     }
@@ -174,9 +175,7 @@ public:
       m_near = nearest.face;
       return (nearest.point - point).norm();
     }
-    double distance = 0;
-    m_tree->for_each_nearest(point, 1, [&distance](Index, double square) { distance = std::sqrt(square); });
-    return distance;
+    return (points[m_tree->nearest(point)] - point).norm();
   }
 
   Normalization normalization;
@@ -362,7 +361,7 @@ void check_size(const Skeleton& skeleton, std::size_t resolution)
 
 } // namespace
 
-Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
+Skeleton_measures evaluate_skeleton(Checked_triangles&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters)
 {
   Measured_surface measured(std::move(input));

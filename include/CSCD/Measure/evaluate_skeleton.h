@@ -17,7 +17,6 @@
 #include <CSCD/input_concepts.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -30,29 +29,20 @@ struct Evaluation_parameters
   std::size_t resolution = 200; ///< cells of the lattice along the diagonal of the bounding box
 };
 
-/// The reference of the measures, in the coordinates of the input: a mesh, or points.
-struct Measured_input
-{
-  Indexed_triangles triangles; ///< an oriented manifold with or without borders; empty for points
-  Halfedge_pairing pairing;
-  std::vector<Vector3> points; ///< empty for a mesh
-  bool is_mesh = false;
-};
-
-/// Reads a mesh or a range of points; refuses at compile time named parameters that do not apply to it.
+/// Reads a mesh, or a range of points, which have no triangles; refuses at compile time named parameters that do not
+/// apply to it.
 template <class Surface, class NamedParameters>
-Measured_input measured_input(const Surface& surface, const NamedParameters& np)
+Checked_triangles measured_input(const Surface& surface, const NamedParameters& np)
 {
   if constexpr (is_triangle_mesh_v<Surface>) {
     check_triangle_mesh<Surface>();
     check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::resolution_t,
                            internal_np::use_skeleton_radii_t>();
-    auto collected = collect_triangles(surface, vertex_point_map(surface, np));
-    return {std::move(collected.triangles), std::move(collected.pairing), {}, true};
+    return collect_triangles(surface, vertex_point_map(surface, np));
   } else {
     check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::resolution_t,
                            internal_np::use_skeleton_radii_t>();
-    return {{}, {}, coordinates_of(surface, point_map(surface, np)), false};
+    return {{coordinates_of(surface, point_map(surface, np)), {}}, {}, {}};
   }
 }
 
@@ -65,7 +55,8 @@ Measured_input measured_input(const Surface& surface, const NamedParameters& np)
 /// \pre there are points and nodes
 std::vector<double> estimate_radii(const std::vector<Vector3>& points, const Skeleton& skeleton);
 
-Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
+/// \param input a mesh, or points without triangles, in the coordinates of `skeleton`
+Skeleton_measures evaluate_skeleton(Checked_triangles&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters);
 
 } // namespace internal
