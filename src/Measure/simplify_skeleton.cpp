@@ -16,9 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
-#include <numeric>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -86,7 +85,7 @@ public:
       size[component[v]] += has_vertices ? vertices[v].size() : 1;
     }
     const std::size_t largest = size.empty() ? 0 : *std::max_element(size.begin(), size.end());
-    std::vector<Index> heir = numbers();
+    std::vector<Index> heir = all_indices(m_skeleton.number_of_nodes());
     for (Index v = 0; v < heir.size(); ++v) {
       if (size[component[v]] < std::min(least, largest)) {
         heir[v] = no_index;
@@ -118,7 +117,7 @@ public:
       }
     }
     std::vector<Index> kept_node(is_node_kept.size(), no_index);
-    std::vector<Index> heir = numbers();
+    std::vector<Index> heir = all_indices(m_skeleton.number_of_nodes());
     for (const Index v : heir) {
       if (is_node_kept[v] != 0) {
         kept_node[cut_off.find(v)] = v;
@@ -143,7 +142,7 @@ public:
     for (Index v = 0; v < component.size(); ++v) {
       members[component[v]].push_back(v);
     }
-    std::vector<Index> open = numbers(); // components that are not joined yet
+    std::vector<Index> open = all_indices(component.size()); // components that are not joined yet
     open.erase(std::remove_if(open.begin(), open.end(), [&](Index c) { return members[c].empty(); }), open.end());
     if (open.size() < 2) {
       return;
@@ -186,7 +185,7 @@ public:
     std::vector<char> is_fixed(m_skeleton.number_of_nodes(), 0);
     const std::vector<Branch> branches = branches_between_fixed(is_fixed);
     Skeleton next;
-    std::vector<Index> heir = numbers();
+    std::vector<Index> heir = all_indices(m_skeleton.number_of_nodes());
     for (Index& v : heir) {
       v = is_fixed[v] != 0 ? copy_node(next, v) : no_index;
     }
@@ -195,22 +194,22 @@ public:
         add_edge(next, heir[m_skeleton.edges[e][0]], heir[m_skeleton.edges[e][1]], 1);
       }
     }
-    const auto ends_of = [](const Branch& branch) {
-      return std::pair<Index, Index>(std::minmax(branch.front(), branch.back()));
+    const auto ends_of = [](const Branch& branch) -> std::pair<Index, Index> {
+      return std::minmax(branch.front(), branch.back());
     };
-    std::vector<std::pair<Index, Index>> ends;
-    std::transform(branches.begin(), branches.end(), std::back_inserter(ends), ends_of);
-    std::sort(ends.begin(), ends.end());
+    std::map<std::pair<Index, Index>, int> number_between; // of branches between the same ends
+    for (const Branch& branch : branches) {
+      ++number_between[ends_of(branch)];
+    }
     for (const Branch& branch : branches) {
       const std::vector<double> place = places(branch, spacing, is_relative);
       if (!(double(next.number_of_nodes()) + place.back() < max_nodes)) {
         throw Input_error("the spacing asks for more than ten million nodes: choose a greater one");
       }
       // A cycle has at least three nodes, and of parallel branches only one could do without a node.
-      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), ends_of(branch));
-      const std::size_t min_parts = branch.front() == branch.back() ? 3 : last - first > 1 ? 2 : 1;
+      const std::size_t min_parts = branch.front() == branch.back() ? 3 : number_between[ends_of(branch)] > 1 ? 2 : 1;
       const std::size_t parts = std::max(std::size_t(std::lround(place.back())), min_parts);
-      if (place.back() > 0 && !(parts == 1 && branch.size() == 2)) {
+      if (place.back() > 0) {
         resample(branch, place, parts, next, heir);
         continue;
       }
@@ -261,18 +260,11 @@ private:
     return crossings.empty() && m_solid->is_inside(a) && m_solid->is_inside(b);
   }
 
-  std::vector<Index> numbers() const
-  {
-    std::vector<Index> result(m_skeleton.number_of_nodes());
-    std::iota(result.begin(), result.end(), Index(0));
-    return result;
-  }
-
   /// For each node one of its component, always the same.
   std::vector<Index> components() const
   {
     Disjoint_sets sets(m_skeleton.number_of_nodes(), m_skeleton.edges);
-    std::vector<Index> result = numbers();
+    std::vector<Index> result = all_indices(m_skeleton.number_of_nodes());
     std::transform(result.begin(), result.end(), result.begin(), [&sets](Index v) { return sets.find(v); });
     return result;
   }
