@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -178,11 +177,10 @@ public:
   /// O(n log n).
   /// \param surface closed; referred to. Area counts without hole-filling faces.
   explicit Surface_limbs(const Triangulated_surface& surface)
-      : m_surface(surface), m_level(mean_distances(surface)), m_part(m_level.size(), no_index), m_sets(m_level.size()),
-        m_part_of_set(m_level.size(), no_index)
+      : m_surface(surface), m_level(mean_distances(surface)), m_components(m_level.size()), m_component(m_level.size()),
+        m_part(m_level.size(), no_index)
   {
-    std::vector<Index> order(m_level.size());
-    std::iota(order.begin(), order.end(), Index(0));
+    std::vector<Index> order = all_indices(m_level.size());
     std::stable_sort(order.begin(), order.end(), [this](Index a, Index b) { return m_level[a] > m_level[b]; });
     measure_components(order);
     for (const Index vertex : order) {
@@ -190,7 +188,7 @@ public:
     }
     for (Part& part : m_parts) {
       if (part.parent == no_index && part.limb == no_index) {
-        try_limb(part, m_component[part.tip].least_level);
+        try_limb(part, component(part.tip).least_level);
       }
     }
   }
@@ -234,34 +232,27 @@ private:
     float area = 0;
   };
 
-  /// The least level and the area of the component of every vertex.
   void measure_components(const std::vector<Index>& order)
   {
-    Disjoint_sets components(order.size());
     for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      components.join(m_surface.origin(h), m_surface.target(h));
+      m_components.join(m_surface.origin(h), m_surface.target(h));
     }
-    std::vector<Component> of_set(order.size());
     for (const Index vertex : order) {
-      Component& component = of_set[components.find(vertex)];
-      component.least_level = m_level[vertex];
-      component.area += m_surface.vertex_area(vertex);
-    }
-    m_component.resize(order.size());
-    for (const Index vertex : order) {
-      m_component[vertex] = of_set[components.find(vertex)];
+      component(vertex).least_level = m_level[vertex];
+      component(vertex).area += m_surface.vertex_area(vertex);
     }
   }
+
+  Component& component(Index vertex) { return m_component[m_components.find(vertex)]; }
 
   /// Takes note of it if `part`, as it is above `level`, is a limb.
   void try_limb(Part& part, float level)
   {
-    const Component& component = m_component[part.tip];
     const float height = m_level[part.tip] - level;
     // Along a limb with the part a of the area, the level grows by 1 - 2 a for each unit of length where it begins, and
     // by 1 at its tip.
-    const float length = height / (1 - std::min(part.area / component.area, 0.5F));
-    if (part.euler_characteristic == 1 && height > min_relative_height * component.least_level &&
+    const float length = height / (1 - std::min(part.area / component(part.tip).area, 0.5F));
+    if (part.euler_characteristic == 1 && height > min_relative_height * component(part.tip).least_level &&
         boost::math::float_constants::two_pi * length * length > min_slenderness * part.area) {
       if (part.limb == no_index) {
         part.limb = Index(m_limbs.size());
@@ -278,7 +269,7 @@ private:
     int change = 1; // of the Euler characteristic
     for (const Index h : m_surface.outgoing(vertex)) {
       if (is_added(m_surface.target(h))) {
-        m_met.push_back(m_part_of_set[m_sets.find(m_surface.target(h))]);
+        m_met.push_back(whole_part(m_part[m_surface.target(h)]));
         change -= is_added(m_surface.opposite_vertex(h)) ? 0 : 1;
       }
     }
@@ -299,6 +290,15 @@ private:
 
   bool is_added(Index vertex) const { return m_part[vertex] != no_index; }
 
+  /// The part that `part` belongs to by now. It is few joins away, as the part with the higher tip goes on.
+  Index whole_part(Index part) const
+  {
+    while (m_parts[part].parent != no_index) {
+      part = m_parts[part].parent;
+    }
+    return part;
+  }
+
   /// Joins the parts that `vertex` meets.
   void join_met(Index vertex)
   {
@@ -311,20 +311,13 @@ private:
     }
     highest.area += m_surface.vertex_area(vertex);
     m_part[vertex] = m_met.front();
-    for (const Index h : m_surface.outgoing(vertex)) {
-      if (is_added(m_surface.target(h))) {
-        m_sets.join(vertex, m_surface.target(h));
-      }
-    }
-    m_part_of_set[m_sets.find(vertex)] = m_met.front();
   }
 
   const Triangulated_surface& m_surface;
   std::vector<float> m_level;         // of every vertex
-  std::vector<Component> m_component; // of every vertex
+  Disjoint_sets m_components;         // of vertices
+  std::vector<Component> m_component; // by the representative of the set
   std::vector<Index> m_part;          // the part that a vertex was added to
-  Disjoint_sets m_sets;               // of vertices in the same part
-  std::vector<Index> m_part_of_set;   // by the representative of the set
   std::vector<Index> m_met;           // working memory
   std::vector<Part> m_parts;
   std::vector<Found_limb> m_limbs;
