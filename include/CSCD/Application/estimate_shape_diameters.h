@@ -12,7 +12,6 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
@@ -67,8 +66,7 @@ Skeletonized_surface collect_skeletonized_surface(const TriangleMesh& mesh, cons
 {
   check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
   check_triangle_mesh<TriangleMesh>();
-  return make_skeletonized_surface(assigned_surface(mesh, skeleton, vertex_point_map(mesh, np)),
-                                   index_skeleton(skeleton));
+  return make_skeletonized_surface(assigned_surface(mesh, skeleton, np), index_skeleton(skeleton));
 }
 
 /// Twice the distances of the points of a mesh from the parts of the skeleton that they belong to, smoothed; 0 for

@@ -6,13 +6,12 @@
 #ifndef CSCD_MEASURE_SKELETON_BRANCHES_H
 #define CSCD_MEASURE_SKELETON_BRANCHES_H
 
+#include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector3.h>
 #include <CSCD/input_concepts.h>
-
-#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -117,12 +116,15 @@ struct Assigned_surface
   std::vector<Index> node_of_vertex; ///< `no_index` for vertices of no node
 };
 
-/// Copies a triangle mesh and the nodes of its vertices in `skeleton`; expectedly linear.
+/// Copies a triangle mesh, with the `vertex_point_map` of `np`, and the nodes of its vertices in `skeleton`; expectedly
+/// linear.
 /// \throw Input_error if a face is not a triangle of three different vertices
-template <class TriangleMesh, class Skeleton, class VertexPointMap>
-Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton, const VertexPointMap& point_map)
+template <class TriangleMesh, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
+Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton,
+                                  const NamedParameters& np = parameters::default_values())
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  const auto point_map = vertex_point_map(mesh, np);
   Assigned_surface result;
   // A property of the mesh would be faster, but adding one writes to the mesh: others may be reading it.
   std::unordered_map<Vertex, Index> number;
@@ -144,13 +146,6 @@ Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skel
     ++node;
   }
   return result;
-}
-
-/// The same with the points of the mesh itself.
-template <class TriangleMesh, class Skeleton>
-Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton)
-{
-  return assigned_surface(mesh, skeleton, get(CGAL::vertex_point, mesh));
 }
 
 /// The significance of every edge; empty if the skeleton has no radii.
