@@ -88,21 +88,17 @@ public:
   }
 
   /// Whether handle and tunnel loops can be told apart, each g dimensions: not where the surface intersects itself
-  /// along them.
+  /// along them. As the tunnel part is a projection, handle loops have all dimensions that tunnel loops have not.
   bool is_consistent() const
   {
-    Independent_bits handles;
     Independent_bits tunnels;
-    for (std::size_t i = 0; i < size(); ++i) {
-      Bits unit(size());
-      unit.set(i);
-      if (tunnel_part(m_linking[i]) != m_linking[i]) {
+    for (const Bits& tunnel : m_linking) {
+      if (tunnel_part(tunnel) != tunnel) {
         return false;
       }
-      tunnels.insert(m_linking[i]);
-      handles.insert(m_linking[i] ^ unit);
+      tunnels.insert(tunnel);
     }
-    return 2 * tunnels.size() == size() && 2 * handles.size() == size();
+    return 2 * tunnels.size() == size();
   }
 
   /// Of a class, the sum of one that bounds inside and one that bounds outside, the latter. It is nothing for handle
