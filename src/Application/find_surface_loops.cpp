@@ -33,6 +33,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -271,6 +272,7 @@ private:
   struct Candidate
   {
     Surface_path path;
+    std::vector<Vector3> points; // of the path
     Polygon_measures measures;
     Bits loop_class;
     bool is_over_hole = false; // along an edge that only bridges a border
@@ -326,16 +328,9 @@ private:
   /// Shortens the loop along `halfedges` and adds it. \return whether it runs along different edges of the surface
   bool add_candidate(const std::vector<Index>& halfedges)
   {
-    if (halfedges.size() < 3 || std::find(halfedges.begin(), halfedges.end(), no_index) != halfedges.end()) {
-      return false;
-    }
-    std::vector<Index> edges;
-    edges.reserve(halfedges.size());
-    for (const Index h : halfedges) {
-      edges.push_back(m_surface.edge(h));
-    }
-    std::sort(edges.begin(), edges.end());
-    if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) {
+    std::set<Index> edges;
+    const auto is_new_edge = [&](Index h) { return h != no_index && edges.insert(m_surface.edge(h)).second; };
+    if (halfedges.size() < 3 || !std::all_of(halfedges.begin(), halfedges.end(), is_new_edge)) {
       return false;
     }
     Candidate candidate;
@@ -349,7 +344,8 @@ private:
       }
     }
     if (candidate.loop_class.any() || (outcome == Shortening_outcome::straight && !candidate.is_over_hole)) {
-      candidate.measures = measure_polygon(points(candidate));
+      crossing_points(m_surface, candidate.path.points, candidate.points);
+      candidate.measures = measure_polygon(candidate.points);
       m_candidates.push_back(std::move(candidate));
     }
     return true;
@@ -380,13 +376,6 @@ private:
     }
     return result;
   }
-
-  std::vector<Vector3> points(const Candidate& candidate) const
-  {
-    std::vector<Vector3> result;
-    crossing_points(m_surface, candidate.path.points, result);
-    return result;
-  }
   /// @}
 
   /// \name Handles and tunnels
@@ -408,7 +397,7 @@ private:
   /// itself, and no loop need bound anything.
   bool spans_body(const Candidate& candidate) const
   {
-    const std::vector<Vector3> corners = points(candidate);
+    const std::vector<Vector3>& corners = candidate.points;
     const auto number_inside = std::count_if(corners.begin(), corners.end(), [&](const Vector3& point) {
       return m_solid.is_inside((point + candidate.measures.center) / 2);
     });
@@ -421,7 +410,7 @@ private:
     Independent_bits chosen;
     for (const Candidate& candidate : m_candidates) {
       if (2 * chosen.size() < m_classes.size() && is_of_kind(candidate, kind) && chosen.insert(candidate.loop_class)) {
-        result.push_back({kind, candidate.measures.length, 0, points(candidate)});
+        result.push_back({kind, candidate.measures.length, 0, candidate.points});
       }
     }
   }
@@ -447,21 +436,17 @@ private:
       const double depth = parallel_curves.depth(candidate.path);
       if (depth >= min_depth && push_off_vertices(m_surface, candidate.path, crossings) &&
           arrangement.insert(Index(result.size()), crossings)) {
-        result.push_back({Loop_kind::constriction, candidate.measures.length, depth, points(candidate)});
+        result.push_back({Loop_kind::constriction, candidate.measures.length, depth, candidate.points});
       }
     }
   }
 
   /// Whether no point of either loop is further from the other one than the radius of the shorter one.
-  bool is_same_place(const Candidate& shorter, const Candidate& longer) const
+  static bool is_same_place(const Candidate& shorter, const Candidate& longer)
   {
     const double radius = shorter.measures.length / (2 * boost::math::double_constants::pi);
-    if ((shorter.measures.center - longer.measures.center).norm() > radius) {
-      return false;
-    }
-    const std::vector<Vector3> first = points(shorter);
-    const std::vector<Vector3> second = points(longer);
-    return is_near(first, second, radius) && is_near(second, first, radius);
+    return (shorter.measures.center - longer.measures.center).norm() <= radius &&
+           is_near(shorter.points, longer.points, radius) && is_near(longer.points, shorter.points, radius);
   }
 
   /// Whether all points of a polygon are within `distance` of `other`.
