@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -237,9 +236,8 @@ private:
 class Limb_finder
 {
 public:
-  explicit Limb_finder(const std::vector<Slice>& slices) : m_slices(slices), m_host(slices.size())
+  explicit Limb_finder(const std::vector<Slice>& slices) : m_slices(slices), m_host(all_indices(slices.size()))
   {
-    std::iota(m_host.begin(), m_host.end(), Index(0));
     find_reaches();
     decompose(m_reach);
     give_up_short_limbs();
@@ -410,8 +408,7 @@ inline void give_points(Slice& from, Slice& to)
 inline std::vector<Index> absorb_limb_bases(std::vector<Slice>& slices, const std::vector<Section>& sections,
                                             std::vector<Tree_limb>& limbs)
 {
-  std::vector<Index> new_slice(slices.size());
-  std::iota(new_slice.begin(), new_slice.end(), Index(0));
+  std::vector<Index> new_slice = all_indices(slices.size());
   std::vector<Index> limb_of_slice(slices.size(), no_index);
   std::vector<Tree_limb> kept;
   for (Tree_limb& limb : limbs) {

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -172,8 +171,7 @@ class Gap_bridging
 public:
   /// \param points in an order where near numbers are near in space
   Gap_bridging(const std::vector<Vector3>& points, const Neighbor_graph& graph)
-      : m_points(points), m_graph(graph), m_pieces(points.size()), m_joined_to(points.size(), no_index),
-        m_join_width(points.size(), std::numeric_limits<double>::max())
+      : m_points(points), m_graph(graph), m_pieces(points.size())
   {
     for (Index a = 0; a < points.size(); ++a) {
       m_moments.push_back({1, points[a], points[a].squaredNorm(), points[a].z(), points[a].z()});
@@ -188,6 +186,7 @@ public:
       }
     }
     const std::vector<Point_gap> gaps = find_gaps();
+    std::vector<Point_gap> joints; // the gaps that pieces are joined across
     for (const Point_gap& gap : gaps) {
       const Index a = m_pieces.find(gap.a);
       const Index b = m_pieces.find(gap.b);
@@ -196,12 +195,11 @@ public:
         const Index joined = m_pieces.find(a);
         const Index other = joined == a ? b : a;
         m_moments[joined].add(m_moments[other]);
-        m_joined_to[other] = joined;
-        m_join_width[other] = gap.length;
+        joints.push_back(gap);
       }
     }
     find_objects();
-    choose_bridges(gaps);
+    choose_bridges(gaps, joints);
   }
 
   /// The gaps that may be bridged, the shortest first: between two pieces there may be several.
@@ -210,16 +208,10 @@ public:
   /// one hangs on one other.
   std::vector<Point_gap> entries(const Root_distances& distances) const
   {
-    std::vector<char> has_root(m_points.size(), 0); // of every piece
-    for (Index point = 0; point < m_points.size(); ++point) {
-      if (distances.parent(point) == no_index) {
-        has_root[m_piece[point]] = 1;
-      }
-    }
-    std::vector<Index> first(m_points.size(), no_index); // of every piece, the point that is reached first
+    std::vector<Index> first(m_points.size(), no_index); // of every piece, the point that is reached first: a root
     for (Index point = 0; point < m_points.size(); ++point) {
       const Index parent = distances.parent(point);
-      if (parent != no_index && m_piece[parent] != m_piece[point] && has_root[m_piece[point]] == 0) {
+      if (m_object[point] != no_index && (parent == no_index || m_piece[parent] != m_piece[point])) {
         Index& of_piece = first[m_piece[point]];
         if (of_piece == no_index || distances.cost(point) < distances.cost(of_piece)) {
           of_piece = point;
@@ -324,27 +316,18 @@ private:
     return !both_stand && gap.length <= std::min(a.extent(), b.extent());
   }
 
-  /// The width of the gap where the pieces of two points were joined, directly or over others.
-  /// \pre they are of one object
-  double width_of_joint(Index a, Index b) const
-  {
-    // Up the joins, which get wider: the pieces met at the last one before both are under the same.
-    double width = 0;
-    while (a != b) {
-      Index& narrower = m_join_width[a] <= m_join_width[b] ? a : b;
-      width = m_join_width[narrower];
-      narrower = m_joined_to[narrower];
-    }
-    return width;
-  }
-
   /// Where a piece is joined is not decided by its shortest gap alone, which may be that between two twigs that nearly
-  /// touch: gaps that are not much longer are alternatives.
-  void choose_bridges(const std::vector<Point_gap>& gaps)
+  /// touch: gaps that are not much longer are alternatives. \param gaps, joints the shortest first
+  void choose_bridges(const std::vector<Point_gap>& gaps, const std::vector<Point_gap>& joints)
   {
+    Disjoint_sets joined(m_points.size()); // pieces, across joints that are much shorter than the gap
+    auto joint = joints.begin();
     for (const Point_gap& gap : gaps) {
+      for (; joint != joints.end() && longest_alternative * joint->length < gap.length; ++joint) {
+        joined.join(m_piece[joint->a], m_piece[joint->b]);
+      }
       if (m_object[gap.a] == m_object[gap.b] && m_object[gap.a] != no_index &&
-          gap.length <= longest_alternative * width_of_joint(m_piece[gap.a], m_piece[gap.b])) {
+          joined.find(m_piece[gap.a]) != joined.find(m_piece[gap.b])) {
         m_bridges.push_back(gap);
       }
     }
@@ -376,10 +359,8 @@ private:
   const std::vector<Vector3>& m_points;
   const Neighbor_graph& m_graph;
   Disjoint_sets m_pieces;
-  std::vector<Index> m_piece;       // of every point, before any gap was bridged: named by a point of it
-  std::vector<Moments> m_moments;   // of every piece, at the point that represents it
-  std::vector<Index> m_joined_to;   // of a piece, the one that it became part of ...
-  std::vector<double> m_join_width; // ... and the width of the gap
+  std::vector<Index> m_piece;     // of every point, before any gap was bridged: named by a point of it
+  std::vector<Moments> m_moments; // of every piece, at the point that represents it
   std::vector<Point_gap> m_bridges;
   std::vector<Index> m_object;
   Index m_number_of_objects = 0;
