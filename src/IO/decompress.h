@@ -13,11 +13,11 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <limits>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,11 +33,7 @@ class Encoded_bytes
 {
 public:
   /// \param text must outlive the bytes
-  /// \param filename for messages
-  Encoded_bytes(std::string_view text, bool is_base64, std::string filename)
-      : m_text(text), m_is_base64(is_base64), m_filename(std::move(filename))
-  {
-  }
+  Encoded_bytes(std::string_view text, bool is_base64) : m_text(text), m_is_base64(is_base64) {}
 
   /// At least as many bytes as are left.
   std::size_t max_remaining() const
@@ -46,7 +42,7 @@ public:
   }
 
   /// The next `size` bytes.
-  /// \throw File_error if there are fewer
+  /// \throw Content_error if there are fewer
   std::string take(std::size_t size)
   {
     if (size > max_remaining()) {
@@ -107,15 +103,14 @@ private:
     }
   }
 
-  [[noreturn]] void fail() const
+  [[noreturn]] static void fail()
   {
-    fail_in_file(m_filename, "binary data are not Base64, or end before all that their header promises",
-                 "fetch or write the file again");
+    internal::fail("binary data are not Base64, or end before all that their header promises",
+                   "fetch or write the file again");
   }
 
   std::string_view m_text;
   bool m_is_base64;
-  std::string m_filename;
   std::string m_decoded; ///< and not taken
 };
 
@@ -124,62 +119,46 @@ inline constexpr std::size_t max_deflate_ratio = 1032;
 
 #ifdef CSCD_WITH_ZLIB
 
-/// Decompresses zlib or gzip, piece by piece. \throw File_error, in all functions, if the data are damaged
-class Inflating_stream
+/// Decompresses zlib or gzip as it is read. \throw Content_error if the data are damaged or end within a stream
+class Inflating_buffer : public std::streambuf
 {
 public:
   /// \param in must outlive this object
-  /// \param filename for messages
-  Inflating_stream(std::istream& in, std::string filename) : m_in(in), m_filename(std::move(filename))
+  explicit Inflating_buffer(std::istream& in) : m_in(in)
   {
     constexpr int recognizes_header = 32;
     if (inflateInit2(&m_stream, MAX_WBITS + recognizes_header) != Z_OK) {
       fail("are damaged");
     }
   }
-  Inflating_stream(Inflating_stream&&) = delete;
-  ~Inflating_stream() { inflateEnd(&m_stream); }
+  Inflating_buffer(Inflating_buffer&&) = delete;
+  ~Inflating_buffer() override { inflateEnd(&m_stream); }
 
-  /// \throw File_error also if there are not `size` bytes left
-  void read(char* bytes, std::size_t size)
+protected:
+  /// Decompresses no more than is asked for: what follows may be damaged.
+  std::streamsize xsgetn(char* bytes, std::streamsize size) override
   {
-    while (size > 0) {
-      const std::size_t number = read_some(bytes, size);
-      if (number == 0) {
-        fail("end too early");
-      }
-      bytes += number;
-      size -= number;
+    std::streamsize done = 0;
+    if (size > 0 && gptr() != egptr()) {
+      bytes[done++] = traits_type::to_char_type(sbumpc());
     }
+    for (std::streamsize added = 1; done < size && added > 0; done += added) {
+      added = inflate_to(bytes + done, size - done);
+    }
+    return done;
   }
 
-  /// Passes over `size` bytes. \throw File_error also if there are not as many
-  void skip(std::size_t size)
+  int_type underflow() override
   {
-    std::array<char, 4096> skipped{};
-    for (; size > 0; size -= std::min(size, skipped.size())) {
-      read(skipped.data(), std::min(size, skipped.size()));
-    }
-  }
-
-  /// All that is left, but at most `max_size` bytes. \throw File_error also if it ends within a stream
-  std::string read_all(std::size_t max_size = std::string::npos)
-  {
-    std::string result;
-    for (std::size_t added = read_block_size; added > 0;) {
-      const std::size_t size = result.size();
-      result.resize(size + std::min(read_block_size, max_size - size));
-      added = read_some(result.data() + size, result.size() - size);
-      result.resize(size + added);
-    }
-    return result;
+    setg(&m_next, &m_next, &m_next + inflate_to(&m_next, 1));
+    return gptr() == egptr() ? traits_type::eof() : traits_type::to_int_type(m_next);
   }
 
 private:
   /// Decompresses the next bytes, `size` of them at most. \return their number, 0 at the end of the data
-  std::size_t read_some(char* bytes, std::size_t size)
+  std::streamsize inflate_to(char* bytes, std::streamsize size)
   {
-    const uInt room = uInt(std::min<std::size_t>(size, std::numeric_limits<uInt>::max()));
+    const uInt room = uInt(std::min<std::streamsize>(size, std::numeric_limits<uInt>::max()));
     m_stream.next_out = reinterpret_cast<Bytef*>(bytes);
     m_stream.avail_out = room;
     while (m_stream.avail_out > 0 && (m_stream.avail_in > 0 || refill())) {
@@ -197,8 +176,8 @@ private:
   /// \return false at the end of the data
   bool refill()
   {
-    m_in.read(m_buffer.data(), std::streamsize(m_buffer.size()));
-    m_stream.next_in = reinterpret_cast<Bytef*>(m_buffer.data());
+    m_in.read(m_input.data(), std::streamsize(m_input.size()));
+    m_stream.next_in = reinterpret_cast<Bytef*>(m_input.data());
     m_stream.avail_in = uInt(m_in.gcount());
     if (m_stream.avail_in == 0 && !m_is_between_streams) {
       fail("end too early");
@@ -206,14 +185,14 @@ private:
     return m_stream.avail_in > 0;
   }
 
-  [[noreturn]] void fail(const std::string& fault) const
+  [[noreturn]] static void fail(const std::string& fault)
   {
-    fail_in_file(m_filename, "compressed data " + fault, "fetch or write the file again");
+    internal::fail("compressed data " + fault, "fetch or write the file again");
   }
 
   std::istream& m_in;
-  std::string m_filename;
-  std::vector<char> m_buffer = std::vector<char>(read_block_size);
+  std::vector<char> m_input = std::vector<char>(read_block_size);
+  char m_next = 0; ///< the get area: one byte that is decompressed and perhaps not taken
   z_stream m_stream{};
   bool m_is_between_streams = true;
 };
@@ -221,17 +200,13 @@ private:
 #else
 
 /// Refuses compressed data.
-class Inflating_stream
+struct Inflating_buffer : std::streambuf
 {
-public:
-  Inflating_stream(std::istream&, const std::string& filename)
+  explicit Inflating_buffer(std::istream&)
   {
-    fail_in_file(filename, "is compressed, and this was built without zlib",
-                 "install zlib1g-dev and build again, or write the file without compression");
+    fail("is compressed, and this was built without zlib",
+         "install zlib1g-dev and build again, or write the file without compression");
   }
-  void read(char*, std::size_t) {}
-  void skip(std::size_t) {}
-  std::string read_all(std::size_t = 0) { return {}; }
 };
 
 #endif

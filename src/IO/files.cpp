@@ -113,23 +113,21 @@ using Line = std::pair<std::int64_t, std::int64_t>;
 
 /// Checks nodes and lines. Lines from a node to itself and repeated ones are left out: they add nothing to a drawing
 /// but would count as cycles.
-void check_skeleton(Shape_file& shape, const std::string& filename)
+void check_skeleton(Shape_file& shape)
 {
-  const auto fail = [&filename](const std::string& fault) {
-    fail_in_file(filename, fault, "correct or write the file again");
-  };
+  constexpr const char* remedy = "correct or write the file again";
   if (shape.has_polygons && shape.lines.empty()) {
-    fail_in_file(filename, "the file has faces but no lines: a mesh, not a skeleton", "name a file with lines");
+    fail("the file has faces but no lines: a mesh, not a skeleton", "name a file with lines");
   }
   if (shape.points.empty()) {
-    fail_in_file(filename, "the file has no nodes", "fetch or write it again");
+    fail("the file has no nodes", "fetch or write it again");
   }
   if (!shape.radii.empty() && shape.radii.size() != shape.points.size()) {
-    fail("some nodes have a radius and some have none");
+    fail("some nodes have a radius and some have none", remedy);
   }
   for (std::size_t v = 0; v < shape.radii.size(); ++v) {
     if (!(shape.radii[v] >= 0 && shape.radii[v] <= std::numeric_limits<double>::max())) {
-      fail("node " + std::to_string(v) + " (counted from 0) has a radius that is negative or not finite");
+      fail("node " + std::to_string(v) + " (counted from 0) has a radius that is negative or not finite", remedy);
     }
   }
   boost::unordered_set<Line> seen;
@@ -138,7 +136,8 @@ void check_skeleton(Shape_file& shape, const std::string& filename)
     for (const std::int64_t node : line) {
       if (node < 0 || std::uint64_t(node) >= shape.points.size()) {
         fail("an edge names node " + std::to_string(node) + ", but there are only " +
-             std::to_string(shape.points.size()) + " (counted from 0)");
+                 std::to_string(shape.points.size()) + " (counted from 0)",
+             remedy);
       }
     }
     if (line[0] != line[1] && seen.insert(std::minmax(line[0], line[1])).second) {
@@ -148,55 +147,52 @@ void check_skeleton(Shape_file& shape, const std::string& filename)
   shape.lines.resize(kept);
 }
 
-/// \throw File_error if a polygon has a corner that is not one of the points
-void check_corners(const Shape_file& shape, const std::string& filename)
+/// \throw Content_error if a polygon has a corner that is not one of the points
+void check_corners(const Shape_file& shape)
 {
   for (const Index corner : shape.corners) {
     if (corner >= shape.points.size()) {
-      fail_in_file(filename,
-                   "a face names vertex " + std::to_string(corner) + ", but there are only " +
-                       std::to_string(shape.points.size()) + " (counted from 0)",
-                   "the file may be truncated, fetch or write it again");
+      fail("a face names vertex " + std::to_string(corner) + ", but there are only " +
+               std::to_string(shape.points.size()) + " (counted from 0)",
+           "the file may be truncated, fetch or write it again");
     }
   }
 }
 
 /// \param contents that are asked for and that the format holds
-void check(Shape_file& shape, const std::string& filename, unsigned contents)
+void check(Shape_file& shape, unsigned contents)
 {
-  check_points(shape.points, filename);
-  check_corners(shape, filename);
+  check_points(shape.points);
+  check_corners(shape);
   if (contents == skeleton_content || ((contents & skeleton_content) != 0 && !shape.lines.empty())) {
-    check_skeleton(shape, filename);
+    check_skeleton(shape);
     return;
   }
   shape.radii.clear();
   const bool may_be_skeleton = (contents & skeleton_content) != 0;
   if ((contents & point_content) != 0 || (may_be_skeleton && shape.number_of_polygons() == 0)) {
     if (shape.points.empty()) {
-      fail_in_file(filename, "the file has no points", "fetch or write it again");
+      fail("the file has no points", "fetch or write it again");
     }
   } else if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
-    fail_in_file(filename, "the file has no faces",
-                 shape.points.empty() ? "a triangle mesh is needed"
-                                      : "name a triangle mesh, or write the points as .xyz or .ply");
+    fail("the file has no faces", shape.points.empty() ? "a triangle mesh is needed"
+                                                       : "name a triangle mesh, or write the points as .xyz or .ply");
   }
 }
 
 } // namespace
 
-void check_points(const std::vector<Vector3>& points, const std::string& filename)
+void check_points(const std::vector<Vector3>& points)
 {
   if (points.size() >= no_index) {
-    fail_in_file(filename, "there are more than 4 billion points", "split or simplify the mesh");
+    fail("there are more than 4 billion points", "split or simplify the mesh");
   }
   const auto place =
       std::find_if(points.begin(), points.end(), [](const Vector3& point) { return !point.allFinite(); });
   if (place != points.end()) {
-    fail_in_file(filename,
-                 "vertex " + std::to_string(place - points.begin()) +
-                     " has a coordinate that is not finite (vertices count from 0)",
-                 "correct or write the file again");
+    fail("vertex " + std::to_string(place - points.begin()) +
+             " has a coordinate that is not finite (vertices count from 0)",
+         "correct or write the file again");
   }
 }
 
@@ -206,16 +202,19 @@ const File_format& get_format(const std::string& filename, unsigned contents)
   const File_format* const format =
       find_format(may_be_compressed ? without_compression_ending(filename) : filename, contents);
   if (format == nullptr) {
-    fail_in_file(filename, "the ending names no known format",
-                 "use one of " + boost::algorithm::join(endings(contents), " "));
+    throw File_error(filename + ": the ending names no known format; use one of " +
+                     boost::algorithm::join(endings(contents), " "));
   }
   return *format;
 }
 
-std::string read_content(std::istream& in, const std::string& name, const std::string& format)
+std::string read_content(std::istream& in, const std::string& format)
 {
   if (has_ending(format, gzip_ending)) {
-    return Inflating_stream(in, name).read_all();
+    Inflating_buffer buffer(in);
+    std::istream inflated(&buffer);
+    inflated.exceptions(std::ios::badbit); // passes on those of the buffer
+    return read_content(inflated, "");
   }
   std::string content;
   content.reserve(remaining_size(in) + read_block_size); // growing, it would be in memory twice
@@ -226,7 +225,7 @@ std::string read_content(std::istream& in, const std::string& name, const std::s
     content.resize(size + static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) {
-    fail_in_file(name, "cannot be read to its end", "check the disk or the connection");
+    fail("cannot be read to its end", "check the disk or the connection");
   }
   return content;
 }
@@ -235,14 +234,13 @@ std::ifstream open_file(const std::string& filename)
 {
   std::error_code error;
   if (std::filesystem::is_directory(filename, error)) {
-    fail_in_file(filename, "is a folder", "name a file in it");
+    throw File_error(filename + ": is a folder; name a file in it");
   }
   errno = 0;
   std::ifstream in(filename, std::ios::binary);
   if (!in) {
-    fail_in_file(filename,
-                 std::string("cannot be opened (") + (errno != 0 ? std::strerror(errno) : "unknown reason") + ")",
-                 "check the name and the permissions");
+    throw File_error(filename + ": cannot be opened (" + (errno != 0 ? std::strerror(errno) : "unknown reason") +
+                     "); check the name and the permissions");
   }
   return in;
 }
@@ -250,17 +248,20 @@ std::ifstream open_file(const std::string& filename)
 Shape_file read_shape(std::istream& in, const std::string& ending, const std::string& name, unsigned contents)
 {
   const File_format& format = get_format(ending, contents);
-  const std::string content = read_content(in, name, ending);
-  if (content.empty()) {
-    fail_in_file(name, "the file is empty", "fetch or write it again");
-  }
-  const std::string beginning = content.substr(0, 2);
-  if ((beginning == "\xFF\xFE" || beginning == "\xFE\xFF") && content.find('\0') < 4) { // a byte order mark, then text
-    fail_in_file(name, "the file is text in UTF-16", "save it as UTF-8");
-  }
-  Shape_file shape = format.parse(content, name, contents);
-  check(shape, name, contents & format.contents);
-  return shape;
+  return naming(name, [&] {
+    const std::string content = read_content(in, ending);
+    if (content.empty()) {
+      fail("the file is empty", "fetch or write it again");
+    }
+    const std::string beginning = content.substr(0, 2);
+    const bool has_byte_order_mark = beginning == "\xFF\xFE" || beginning == "\xFE\xFF";
+    if (has_byte_order_mark && content.find('\0') < 4) {
+      fail("the file is text in UTF-16", "save it as UTF-8");
+    }
+    Shape_file shape = format.parse(content, name, contents);
+    check(shape, contents & format.contents);
+    return shape;
+  });
 }
 
 Shape_file read_shape(const std::string& filename, unsigned contents)

@@ -88,9 +88,9 @@ private:
     boost::unordered_map<std::array<double, 3>, Vector3> places{}; ///< of vertices, by where they are at rest
   };
 
-  [[noreturn]] void fail(const std::string& fault) const
+  [[noreturn]] static void fail(const std::string& fault)
   {
-    fail_in_file(m_filename, fault, "write the file again as .glb, or as another format");
+    internal::fail(fault, "write the file again as .glb, or as another format");
   }
 
   /// \return the JSON; the rest of a binary file becomes the first buffer
@@ -100,7 +100,7 @@ private:
     if (m_content.substr(0, 4) != "glTF") {
       return m_content;
     }
-    Byte_scanner bytes(m_content.substr(4), Byte_order::little, m_filename);
+    Byte_scanner bytes(m_content.substr(4), Byte_order::little);
     if (bytes.number<std::uint32_t>() != version) {
       fail("only version 2 of glTF is read");
     }
@@ -173,9 +173,8 @@ private:
       constexpr std::string_view base64 = ";base64,";
       const std::size_t begin = text.find(base64);
       const bool is_here = text.substr(0, 5) == "data:" && begin != std::string::npos;
-      place->second =
-          is_here ? Encoded_bytes(std::string_view(text).substr(begin + base64.size()), true, m_filename).take_all()
-                  : content_beside(text);
+      place->second = is_here ? Encoded_bytes(std::string_view(text).substr(begin + base64.size()), true).take_all()
+                              : content_beside(text);
     }
     return place->second;
   }
@@ -191,7 +190,7 @@ private:
       fail("its data are in a file of their own, which is not in its folder");
     }
     std::ifstream in = open_file(place.string());
-    return read_content(in, place.string(), place.string());
+    return naming(place.string(), [&] { return read_content(in, place.string()); });
   }
 
   /// Replaces `%20` and the like.
@@ -269,7 +268,7 @@ private:
     numbers.count = std::min(numbers.count, max_number);
     std::vector<Element> result(numbers.count);
     for (std::size_t k = 0; k < size; ++k, numbers.bytes += numbers.type.size) {
-      numbers.for_each([&result, k](std::size_t e, double number) { result[e][k] = number; });
+      numbers.for_each([&result, k](std::size_t e, auto number) { result[e][k] = double(number); });
     }
     return result;
   }
@@ -285,8 +284,8 @@ private:
     }
     const Number_view numbers = accessor(i, 1, "u", "indices are not integers from 0 on");
     result.resize(numbers.count);
-    numbers.for_each([&](std::size_t k, double index) {
-      if (index >= double(number_of_points)) {
+    numbers.for_each([&](std::size_t k, auto index) {
+      if (std::size_t(index) >= number_of_points) {
         fail("a triangle names a vertex that is not there");
       }
       result[k] = Index(index);

@@ -60,7 +60,7 @@ void read_off_points(Text_scanner& scanner, std::size_t number, bool has_normals
   shape.points.reserve(std::min(number, scanner.remaining() / min_point_size + 1));
   for (std::size_t i = 0; i < number; ++i) {
     if (!scanner.skip_blanks(comment_of_off)) {
-      scanner.fail_at_end("vertex " + std::to_string(i) + " of " + std::to_string(number));
+      fail_at_end("vertex " + std::to_string(i) + " of " + std::to_string(number));
     }
     shape.points.push_back(scanner.point_in_line(too_few_coordinates));
     Vector3 normal = Vector3::Zero();
@@ -83,7 +83,7 @@ void read_off_polygons(Text_scanner& scanner, std::size_t number, Shape_file& sh
   shape.corners.reserve(3 * std::min(number, scanner.remaining() / min_polygon_size + 1));
   for (std::size_t i = 0; i < number; ++i) {
     if (!scanner.skip_blanks(comment_of_off)) {
-      scanner.fail_at_end("face " + std::to_string(i) + " of " + std::to_string(number));
+      fail_at_end("face " + std::to_string(i) + " of " + std::to_string(number));
     }
     const std::size_t size = scanner.count("the number of vertices of a face");
     for (std::size_t k = 0; k < size; ++k) {
@@ -112,15 +112,14 @@ constexpr std::size_t stl_attribute_size = 2;
 constexpr std::size_t stl_triangle_size = stl_normal_size + 9 * sizeof(float) + stl_attribute_size;
 
 /// Reads binary STL. \param scanner behind the text
-void read_binary_stl(Byte_scanner& scanner, const std::string& filename, std::vector<Vector3>& points)
+void read_binary_stl(Byte_scanner& scanner, std::vector<Vector3>& points)
 {
   const auto number_of_triangles = std::size_t(scanner.number<std::uint32_t>());
   const std::size_t room = scanner.remaining() / stl_triangle_size;
   if (number_of_triangles > room) {
-    fail_in_file(filename,
-                 "neither ASCII STL nor binary STL: " + std::to_string(number_of_triangles) +
-                     " triangles are announced, there is room for " + std::to_string(room),
-                 "check the ending of the file name, or fetch the file again");
+    fail("neither ASCII STL nor binary STL: " + std::to_string(number_of_triangles) +
+             " triangles are announced, there is room for " + std::to_string(room),
+         "check the ending of the file name, or fetch the file again");
   }
   points.reserve(3 * number_of_triangles);
   for (std::size_t i = 0; i < number_of_triangles; ++i) {
@@ -158,7 +157,7 @@ void read_text_stl(Text_scanner& scanner, std::vector<Vector3>& points)
     }
   }
   if (points.size() != first || !is_complete) {
-    scanner.fail_at_end(points.size() != first ? "the keyword endfacet" : "the keyword endsolid");
+    fail_at_end(points.size() != first ? "the keyword endfacet" : "the keyword endsolid");
   }
 }
 /// @}
@@ -204,11 +203,10 @@ class Item_scanner
 public:
   /// \param text behind the header
   /// \param order of the bytes; none for numbers in text
-  Item_scanner(const Text_scanner& text, const std::optional<Byte_order>& order, std::string filename)
-      : m_text(text), m_filename(std::move(filename))
+  Item_scanner(const Text_scanner& text, const std::optional<Byte_order>& order) : m_text(text)
   {
     if (order) {
-      m_bytes.emplace(text.rest(), *order, m_filename);
+      m_bytes.emplace(text.rest(), *order);
     }
   }
 
@@ -258,29 +256,25 @@ private:
     return m_text.number();
   }
 
-  /// The number of entries of a list. \throw File_error if there cannot be as many
+  /// The number of entries of a list. \throw Content_error if there cannot be as many
   std::size_t next_size(const Property& list)
   {
     const double size = next(list.size_type);
     if (!(size >= 0 && size <= double(remaining()))) {
-      fail_in_file(m_filename, "the list " + list.name + " is longer than the file");
+      fail("the list " + list.name + " is longer than the file");
     }
     return static_cast<std::size_t>(size);
   }
 
   Text_scanner m_text;
   std::optional<Byte_scanner> m_bytes;
-  std::string m_filename;
 };
 
 /// Reads vertices, and faces, strips or edges; all other elements and properties are passed over.
 class Ply_parser
 {
 public:
-  Ply_parser(std::string_view content, const std::string& filename, unsigned contents)
-      : m_scanner(content, filename), m_filename(filename), m_contents(contents)
-  {
-  }
+  Ply_parser(std::string_view content, unsigned contents) : m_scanner(content), m_contents(contents) {}
 
   Shape_file parse()
   {
@@ -331,11 +325,11 @@ private:
       m_scanner.skip_line(); // comments and other lines of the header
       if (keyword == "end_header") {
         const Byte_order order = encoding == "binary_big_endian" ? Byte_order::big : Byte_order::little;
-        m_items.emplace(m_scanner, encoding == "ascii" ? std::nullopt : std::optional(order), m_filename);
+        m_items.emplace(m_scanner, encoding == "ascii" ? std::nullopt : std::optional(order));
         return;
       }
     }
-    m_scanner.fail_at_end("the end of its header");
+    fail_at_end("the end of its header");
   }
 
   std::string_view next_word()
@@ -374,7 +368,7 @@ private:
   void check_properties(const Element& element, Names names) const
   {
     if (const std::string missing = element.missing_number(names); !missing.empty()) {
-      fail_in_file(m_filename, "the element " + element.name + " has no property " + missing);
+      fail("the element " + element.name + " has no property " + missing);
     }
   }
 
@@ -449,14 +443,12 @@ private:
   Index to_index(double number, const char* owner, std::size_t item) const
   {
     if (!(number >= 0 && number < double(no_index) && std::floor(number) == number)) {
-      fail_in_file(m_filename, std::string(owner) + ' ' + std::to_string(item) +
-                                   " has a vertex index that is negative or not an integer");
+      fail(std::string(owner) + ' ' + std::to_string(item) + " has a vertex index that is negative or not an integer");
     }
     return static_cast<Index>(number);
   }
 
   Text_scanner m_scanner;
-  std::string m_filename;
   std::vector<Element> m_elements;
   std::optional<Item_scanner> m_items; ///< behind the header
   unsigned m_contents;
@@ -497,9 +489,9 @@ Element read_pcd_header(Text_scanner& scanner, std::string& encoding)
 } // namespace
 
 /// Reads the vertices, and the faces or the lines, of OBJ; all other statements are passed over.
-Shape_file parse_obj(std::string_view content, const std::string& filename, unsigned contents)
+Shape_file parse_obj(std::string_view content, const std::string& /* filename */, unsigned contents)
 {
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   Shape_file shape;
   // Calls `use` with the vertices that a statement names, from 0 on. In the file they count from 1, negative ones from
   // the last vertex backwards.
@@ -541,9 +533,9 @@ Shape_file parse_obj(std::string_view content, const std::string& filename, unsi
 }
 
 /// Reads OFF in ASCII, line by line; colors and texture coordinates are passed over.
-Shape_file parse_off(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_off(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   const auto next_count = [&scanner](const char* meaning) {
     scanner.expect(meaning, comment_of_off);
     return scanner.count(meaning);
@@ -559,23 +551,23 @@ Shape_file parse_off(std::string_view content, const std::string& filename, unsi
 }
 
 /// Reads ASCII and binary STL. STL repeats a vertex in each of its triangles; these are made one here.
-Shape_file parse_stl(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_stl(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
   Shape_file result;
-  Text_scanner text(content, filename);
+  Text_scanner text(content);
   // The text of a binary file may begin with `solid`, which an ASCII file must; the file's size decides then.
   const bool has_header = content.size() >= stl_header_size;
-  Byte_scanner bytes(content.substr(has_header ? stl_text_size : content.size()), Byte_order::little, filename);
+  Byte_scanner bytes(content.substr(has_header ? stl_text_size : content.size()), Byte_order::little);
   Text_scanner first = text;
   first.skip_blanks();
   if (has_header &&
       (content.size() == stl_header_size + Byte_scanner(bytes).number<std::uint32_t>() * stl_triangle_size ||
        first.word() != "solid")) {
-    read_binary_stl(bytes, filename, result.points);
+    read_binary_stl(bytes, result.points);
   } else {
     read_text_stl(text, result.points);
   }
-  check_points(result.points, filename); // equal ones are found by their coordinates, and by indices
+  check_points(result.points); // equal ones are found by their coordinates, and by indices
   merge_equal_points(result.points, result.corners);
   for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
     result.first_corner.push_back(end);
@@ -583,16 +575,16 @@ Shape_file parse_stl(std::string_view content, const std::string& filename, unsi
   return result;
 }
 
-Shape_file parse_ply(std::string_view content, const std::string& filename, unsigned contents)
+Shape_file parse_ply(std::string_view content, const std::string& /* filename */, unsigned contents)
 {
-  return Ply_parser(content, filename, contents).parse();
+  return Ply_parser(content, contents).parse();
 }
 
 /// Reads PCD of the Point Cloud Library, ASCII or binary. Points that are not finite, which stand for missing
 /// measurements, are left out.
-Shape_file parse_pcd(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_pcd(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   std::string encoding;
   const Element points = read_pcd_header(scanner, encoding);
   for (const Property& field : points.properties) {
@@ -609,7 +601,7 @@ Shape_file parse_pcd(std::string_view content, const std::string& filename, unsi
   }
   const bool has_normals = points.has_numbers({"normal_x", "normal_y", "normal_z"});
   Shape_file shape;
-  Item_scanner items(scanner, encoding == "ascii" ? std::nullopt : std::optional(Byte_order::little), filename);
+  Item_scanner items(scanner, encoding == "ascii" ? std::nullopt : std::optional(Byte_order::little));
   const auto add = [&](std::size_t, const std::vector<double>& v) {
     if (const Vector3 point(v[0], v[1], v[2]); point.allFinite()) {
       shape.points.push_back(point);

@@ -149,7 +149,7 @@ using Json = nlohmann::json;
 constexpr const char* remedy_of_file = "correct or write the file again";
 constexpr const char* too_few_numbers = "a node has too few coordinates";
 
-/// Reads the next integer of this line. \throw File_error if there is none
+/// Reads the next integer of this line. \throw Content_error if there is none
 std::int64_t next_integer(Text_scanner& scanner, const char* meaning)
 {
   if (!scanner.skip_blanks_in_line()) {
@@ -166,10 +166,10 @@ std::int64_t next_integer(Text_scanner& scanner, const char* meaning)
 
 /// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
 /// number of points before the first one and further columns are passed over. Normals are kept if every line has one.
-Shape_file parse_point_table(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_point_table(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
   const Point_columns columns = find_columns(content);
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   Shape_file shape;
   bool has_normals = columns.has_normals();
   const auto add_point = [&](const std::vector<std::string_view>& fields) {
@@ -225,7 +225,7 @@ Shape_file parse_point_table(std::string_view content, const std::string& filena
 }
 
 /// Reads versions 1.0 to 1.4, not compressed.
-Shape_file parse_las(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_las(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
   // Offsets in the header, by the specification of the ASPRS.
   constexpr std::size_t header_size = 227;
@@ -236,17 +236,16 @@ Shape_file parse_las(std::string_view content, const std::string& filename, unsi
   constexpr unsigned compression_bits = 0xc0;
   constexpr std::size_t min_point_size = 3 * sizeof(std::int32_t);
   const auto scanner_at = [&](std::size_t place) {
-    return Byte_scanner(content.substr(std::min(place, content.size())), Byte_order::little, filename);
+    return Byte_scanner(content.substr(std::min(place, content.size())), Byte_order::little);
   };
   if (content.substr(0, 4) != "LASF" || content.size() < header_size) {
-    fail_in_file(filename, "it is not a LAS file, or its header is not complete", "fetch or write the file again");
+    fail("it is not a LAS file, or its header is not complete", "fetch or write the file again");
   }
   Byte_scanner header = scanner_at(data_offset_at);
   const std::size_t data_offset = header.number<std::uint32_t>();
   header.skip(sizeof(std::uint32_t)); // the number of records of variable length
   if ((header.number<std::uint8_t>() & compression_bits) != 0) {
-    fail_in_file(filename, "it is compressed (LAZ), which is not read",
-                 "convert it to LAS, as by `laszip` or `pdal translate`");
+    fail("it is compressed (LAZ), which is not read", "convert it to LAS, as by `laszip` or `pdal translate`");
   }
   const std::size_t point_size = header.number<std::uint16_t>();
   std::uint64_t number_of_points = header.number<std::uint32_t>();
@@ -258,22 +257,22 @@ Shape_file parse_las(std::string_view content, const std::string& filename, unsi
   const Vector3 offset = transform.vector<double>();
   const std::size_t size_of_data = content.size() - std::min(data_offset, content.size());
   if (point_size < min_point_size || number_of_points > size_of_data / point_size) {
-    fail_at_end_of_file(filename, "all points that its header promises");
+    fail_at_end("all points that its header promises");
   }
   Shape_file shape;
   shape.points.resize(number_of_points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const char* const first = scanner_at(data_offset).skip(0) + axis * sizeof(std::int32_t);
     const Number_view column{first, {'i', sizeof(std::int32_t)}, Byte_order::little, point_size, shape.points.size()};
-    column.for_each([&](std::size_t i, double x) { shape.points[i][axis] = x * scale[axis] + offset[axis]; });
+    column.for_each([&](std::size_t i, auto x) { shape.points[i][axis] = double(x) * scale[axis] + offset[axis]; });
   }
   return shape;
 }
 
 /// Lines `n x y z` and `c i j`.
-Shape_file parse_gel_graph(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_gel_graph(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   Shape_file shape;
   while (scanner.skip_blanks('#')) {
     const std::string_view statement = scanner.word();
@@ -291,9 +290,9 @@ Shape_file parse_gel_graph(std::string_view content, const std::string& filename
 }
 
 /// For each poly-line, the number of its points and then `x y z` of each. Points with equal coordinates are one node.
-Shape_file parse_polylines(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_polylines(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   Shape_file shape;
   boost::unordered_map<std::array<double, 3>, std::int64_t> nodes;
   const auto next_node = [&] {
@@ -322,10 +321,10 @@ Shape_file parse_polylines(std::string_view content, const std::string& filename
 }
 
 /// Reads SWC: lines `id type x y z radius parent`, in any order, and the comments `# loop i j` of `write_swc()`.
-Shape_file parse_swc(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_swc(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
   constexpr const char* identifier = "the identifier of a node";
-  Text_scanner scanner(content, filename);
+  Text_scanner scanner(content);
   boost::unordered_map<std::int64_t, std::int64_t> nodes; // by identifier
   Shape_file shape;                                       // whose lines join identifiers as long as nodes are missing
   const auto read_comment = [&] {
@@ -365,8 +364,7 @@ Shape_file parse_swc(std::string_view content, const std::string& filename, unsi
     for (std::int64_t& end : line) {
       const auto place = nodes.find(end);
       if (place == nodes.end()) {
-        fail_in_file(filename, "a parent or loop has the identifier " + std::to_string(end) + ", which no node has",
-                     remedy_of_file);
+        fail("a parent or loop has the identifier " + std::to_string(end) + ", which no node has", remedy_of_file);
       }
       end = place->second;
     }
@@ -376,13 +374,13 @@ Shape_file parse_swc(std::string_view content, const std::string& filename, unsi
 
 /// Reads a JSON object as `write_json()` writes it: `nodes`, each with `point` and perhaps `radius` and `is_opening`;
 /// `edges`, each an array of two nodes; and perhaps `joined_edges`; all else is passed over.
-Shape_file parse_json_skeleton(std::string_view content, const std::string& filename, unsigned /* contents */)
+Shape_file parse_json_skeleton(std::string_view content, const std::string& /* filename */, unsigned /* contents */)
 {
   constexpr bool has_exceptions = false;
   const Json document = Json::parse(content.begin(), content.end(), nullptr, has_exceptions);
-  const auto check = [&filename](bool is_right, const std::string& fault) {
+  const auto check = [](bool is_right, const std::string& fault) {
     if (!is_right) {
-      fail_in_file(filename, fault, remedy_of_file);
+      fail(fault, remedy_of_file);
     }
   };
   const auto array = [&](const char* name) -> const Json& {

@@ -30,7 +30,7 @@ using Numbers = std::vector<double>;
 Numbers to_vector(const Number_view& view)
 {
   Numbers result(view.count);
-  view.for_each([&result](std::size_t i, double number) { result[i] = number; });
+  view.for_each([&result](std::size_t i, auto number) { result[i] = double(number); });
   return result;
 }
 
@@ -38,7 +38,7 @@ Numbers to_vector(const Number_view& view)
 class Vtk_collector
 {
 public:
-  Vtk_collector(std::string filename, unsigned contents) : m_filename(std::move(filename)), m_contents(contents) {}
+  explicit Vtk_collector(unsigned contents) : m_contents(contents) {}
 
   /// Whether an array at the points is of use. \param name in lower case
   static bool is_wanted(const std::string& name) { return name == radius || name == is_opening || name == normals; }
@@ -103,11 +103,8 @@ public:
     return std::move(m_shape);
   }
 
-  /// \throw File_error naming the file and `fault`
-  [[noreturn]] void fail(const std::string& fault) const
-  {
-    fail_in_file(m_filename, fault, "correct or write the file again");
-  }
+  /// \throw Content_error naming `fault`
+  [[noreturn]] static void fail(const std::string& fault) { internal::fail(fault, "correct or write the file again"); }
 
 private:
   Index to_index(double corner, std::size_t first_point) const
@@ -143,7 +140,6 @@ private:
     return array.size() == number_of_components * number_of_points() ? std::move(array) : Numbers();
   }
 
-  std::string m_filename;
   unsigned m_contents;
   Shape_file m_shape;
   std::map<std::string, Numbers> m_arrays;
@@ -154,10 +150,7 @@ private:
 class Vtp_parser
 {
 public:
-  Vtp_parser(std::string_view text, const std::string& filename, unsigned contents)
-      : m_text(text), m_filename(filename), m_xml(text, filename), m_collector(filename, contents)
-  {
-  }
+  Vtp_parser(std::string_view text, unsigned contents) : m_text(text), m_xml(text), m_collector(contents) {}
 
   Shape_file parse()
   {
@@ -255,7 +248,7 @@ private:
     if (m_xml.is_empty()) {
       return {};
     }
-    return format == "binary" ? binary_numbers(Encoded_bytes(m_xml.content(), true, m_filename)) : text_numbers();
+    return format == "binary" ? binary_numbers(Encoded_bytes(m_xml.content(), true)) : text_numbers();
   }
 
   Encoded_bytes appended_bytes() const
@@ -266,14 +259,14 @@ private:
     if (!is_number || offset > m_appended.size()) {
       m_collector.fail("an array begins behind the end of the appended data");
     }
-    return {m_appended.substr(offset), m_is_appended_base64, m_filename};
+    return {m_appended.substr(offset), m_is_appended_base64};
   }
 
   Numbers text_numbers() const
   {
     const std::string_view content = m_xml.content();
     const std::size_t begin = std::size_t(content.data() - m_text.data());
-    Text_scanner scanner(m_text.substr(0, begin + content.size()), m_filename);
+    Text_scanner scanner(m_text.substr(0, begin + content.size()));
     scanner.skip(begin); // so that it counts lines from the beginning of the file
     Numbers result;
     while (scanner.skip_blanks()) {
@@ -292,7 +285,7 @@ private:
     return to_vector({content.data(), type, m_order, type.size, content.size() / type.size});
   }
 
-  /// Counts bytes of arrays. \throw File_error if they are more than the file can hold
+  /// Counts bytes of arrays. \throw Content_error if they are more than the file can hold
   void count_bytes(std::size_t size)
   {
     m_size += size;
@@ -336,17 +329,18 @@ private:
       const std::size_t size = is_partial ? size_of_last_block : size_of_block;
       count_bytes(size);
       std::istringstream block(bytes.take(sizes[i]));
-      const std::string inflated = Inflating_stream(block, m_filename).read_all(size + 1);
-      if (inflated.size() != size) {
+      Inflating_buffer inflated(block);
+      const std::size_t begin = result.size();
+      result.resize(begin + size);
+      if (inflated.sgetn(&result[begin], std::streamsize(size)) != std::streamsize(size) ||
+          inflated.sgetc() != std::char_traits<char>::eof()) {
         m_collector.fail("a block of an array has another size than its header says");
       }
-      result += inflated;
     }
     return result;
   }
 
   std::string_view m_text;
-  std::string m_filename;
   Xml_scanner m_xml;
   Vtk_collector m_collector;
   Byte_order m_order = Byte_order::little;
@@ -366,10 +360,7 @@ private:
 class Vtk_legacy_parser
 {
 public:
-  Vtk_legacy_parser(std::string_view text, const std::string& filename, unsigned contents)
-      : m_scanner(text, filename), m_collector(filename, contents)
-  {
-  }
+  Vtk_legacy_parser(std::string_view text, unsigned contents) : m_scanner(text), m_collector(contents) {}
 
   Shape_file parse()
   {
@@ -542,7 +533,7 @@ private:
   {
     // A number takes at least a byte.
     if (number_of_components > 0 && number_of_tuples > m_scanner.remaining() / number_of_components) {
-      m_scanner.fail_at_end("all numbers of an array");
+      fail_at_end("all numbers of an array");
     }
     const std::size_t number = number_of_tuples * number_of_components;
     if (m_is_binary) {
@@ -566,7 +557,7 @@ private:
     }
     m_scanner.skip_line();
     if (number > m_scanner.remaining() / its_type.size) {
-      m_scanner.fail_at_end("all numbers of an array");
+      fail_at_end("all numbers of an array");
     }
     const char* const bytes = m_scanner.rest().data();
     m_scanner.skip(number * its_type.size);
@@ -582,11 +573,11 @@ private:
 
 } // namespace
 
-Shape_file parse_vtk(std::string_view content, const std::string& filename, unsigned contents)
+Shape_file parse_vtk(std::string_view content, const std::string& /* filename */, unsigned contents)
 {
   constexpr std::string_view legacy = "# vtk DataFile";
-  return content.substr(0, legacy.size()) == legacy ? Vtk_legacy_parser(content, filename, contents).parse()
-                                                    : Vtp_parser(content, filename, contents).parse();
+  return content.substr(0, legacy.size()) == legacy ? Vtk_legacy_parser(content, contents).parse()
+                                                    : Vtp_parser(content, contents).parse();
 }
 
 } // namespace CSCD::internal

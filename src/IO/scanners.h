@@ -115,15 +115,9 @@ struct Number_view
   std::size_t stride = 0;
   std::size_t count = 0;
 
-  /// Calls `use(i, number)` for all of them in their order. Integers beyond 2^53 are rounded.
+  /// Calls `use(i, number)` for all of them in their order, with numbers of the type that is stored.
   template <class Use>
   void for_each(const Use& use) const
-  {
-    for_each_exact([&use](std::size_t i, auto number) { use(i, double(number)); });
-  }
-  /// The same with numbers of the type that is stored.
-  template <class Use>
-  void for_each_exact(const Use& use) const
   {
     with_number_type(type, [this, &use](auto zero) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -133,16 +127,12 @@ struct Number_view
   }
 };
 
-/// Goes through binary data number by number. \throw File_error, in all functions that read, if the data end before
+/// Goes through binary data number by number. \throw Content_error, in all functions that read, if the data end before
 class Byte_scanner
 {
 public:
   /// \param bytes must outlive the scanner
-  /// \param filename for messages
-  Byte_scanner(std::string_view bytes, Byte_order order, std::string filename)
-      : m_bytes(bytes), m_order(order), m_filename(std::move(filename))
-  {
-  }
+  Byte_scanner(std::string_view bytes, Byte_order order) : m_bytes(bytes), m_order(order) {}
 
   /// The size of the rest of the data, in bytes.
   std::size_t remaining() const { return m_bytes.size(); }
@@ -175,7 +165,7 @@ public:
   const char* skip(std::size_t size)
   {
     if (size > m_bytes.size()) {
-      fail_at_end_of_file(m_filename, "all that its header promises");
+      fail_at_end("all that its header promises");
     }
     const char* const first = m_bytes.data();
     m_bytes.remove_prefix(size);
@@ -185,7 +175,6 @@ public:
 private:
   std::string_view m_bytes;
   Byte_order m_order;
-  std::string m_filename;
 };
 
 /// Writes a number in binary.
@@ -225,7 +214,7 @@ inline bool is_blank(char c)
 }
 
 /// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks. Functions that
-/// read throw a `File_error`, which names the file, the line and the remedy, if what they read is not at this place.
+/// read throw a `Content_error`, which names the line and the remedy, if what they read is not at this place.
 /// `CGAL::IO::read_OFF()` and its like are not used: they take some fifteen times as long, allocate what a header
 /// promises before it is checked, and are undefined on some malformed files.
 class Text_scanner
@@ -236,9 +225,8 @@ public:
   static constexpr const char* correct_line = "correct this line or write the file again";
 
   /// \param text must outlive the scanner
-  /// \param filename for messages
-  Text_scanner(std::string_view text, std::string filename)
-      : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_filename(std::move(filename))
+  explicit Text_scanner(std::string_view text)
+      : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size())
   {
   }
 
@@ -398,15 +386,12 @@ public:
     return static_cast<std::size_t>(value);
   }
 
-  /// \throw File_error naming the file, the line, the fault and the remedy
+  /// \throw Content_error naming the line, the fault and the remedy
   [[noreturn]] void fail(const std::string& fault, const std::string& remedy = correct_line) const
   {
     const auto line = 1 + std::count(m_begin, m_at, '\n');
-    fail_in_file(m_filename + ", line " + std::to_string(line), fault, remedy);
+    internal::fail(fault, remedy, ", line " + std::to_string(line));
   }
-
-  /// \throw File_error telling that the file ends before `what`
-  [[noreturn]] void fail_at_end(const std::string& what) const { fail_at_end_of_file(m_filename, what); }
 
 private:
   /// Whether a number out of range is one of very small magnitude.
@@ -420,7 +405,6 @@ private:
   const char* m_begin;
   const char* m_at;
   const char* m_end;
-  std::string m_filename;
 };
 
 /// Goes through XML tag by tag and holds only the current one, so that large files take no more memory than
@@ -430,11 +414,10 @@ class Xml_scanner
 {
 public:
   /// \param text must outlive the scanner
-  /// \param filename for messages
-  Xml_scanner(std::string_view text, std::string filename) : m_text(text), m_filename(std::move(filename)) {}
+  explicit Xml_scanner(std::string_view text) : m_text(text) {}
 
   /// Goes on to the next tag. \return false if there is none
-  /// \throw File_error if it does not end
+  /// \throw Content_error if it does not end
   bool next()
   {
     constexpr std::string_view comment = "<!--";
@@ -446,7 +429,7 @@ public:
       const bool is_comment = m_text.substr(begin, comment.size()) == comment;
       const std::size_t end = is_comment ? m_text.find("-->", begin) : end_of_tag(begin);
       if (end == std::string_view::npos) {
-        fail_in_file(m_filename, "an XML tag does not end", "fetch or write the file again");
+        fail("an XML tag does not end", "fetch or write the file again");
       }
       m_end = end + (is_comment ? 3 : 1);
       const char first = m_text[begin + 1];
@@ -505,7 +488,6 @@ private:
   }
 
   std::string_view m_text;
-  std::string m_filename;
   std::string_view m_tag;
   std::size_t m_end = 0; ///< of the tag
 };

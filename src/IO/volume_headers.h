@@ -56,7 +56,7 @@ public:
   /// \param size of the header, in bytes, is at most this
   static constexpr std::size_t max_size = std::size_t(1) << 20U;
 
-  Line_header(const std::string& filename, char separator) : m_filename(filename), m_separator(separator)
+  Line_header(const std::string& filename, char separator) : m_separator(separator)
   {
     std::ifstream in = open_file(filename);
     m_text.resize(max_size);
@@ -85,7 +85,7 @@ public:
   {
     const std::size_t separator = line.find(m_separator);
     if (separator == std::string::npos) {
-      fail_in_file(m_filename, "the header has a line that is not a field", "correct it: " + line.substr(0, 40));
+      internal::fail("the header has a line that is not a field", "correct it: " + line.substr(0, 40));
     }
     const std::string name = boost::algorithm::erase_all_copy(lower_case(line.substr(0, separator)), " ");
     m_values[name] = boost::algorithm::trim_copy(line.substr(separator + 1), std::locale::classic());
@@ -104,13 +104,13 @@ public:
   }
 
   /// Numbers separated by blanks, commas and parentheses.
-  /// \throw File_error if there are not exactly `count` of them, all finite
+  /// \throw Content_error if there are not exactly `count` of them, all finite
   template <std::size_t count>
   std::array<double, count> numbers(std::string text, const std::string& name) const
   {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
-    Text_scanner scanner(text, m_filename);
+    Text_scanner scanner(text);
     std::array<double, count> result{};
     for (double& number : result) {
       const bool is_there = scanner.skip_blanks() && scanner.is_at_number();
@@ -125,7 +125,7 @@ public:
     return result;
   }
 
-  /// Vectors, one after the other. \throw File_error if there are not exactly the numbers of as many, all finite
+  /// Vectors, one after the other. \throw Content_error if there are not exactly the numbers of as many, all finite
   template <std::size_t size>
   std::array<Vector3, size> vectors(const std::string& text, const std::string& name) const
   {
@@ -137,7 +137,7 @@ public:
     return result;
   }
 
-  /// Integers from 0 on. \throw File_error if there are not exactly `count` of them
+  /// Integers from 0 on. \throw Content_error if there are not exactly `count` of them
   template <std::size_t count>
   std::array<std::size_t, count> counts(const std::string& text, const std::string& name) const
   {
@@ -161,15 +161,13 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& name, std::size_t count) const
+  [[noreturn]] static void fail(const std::string& name, std::size_t count)
   {
-    fail_in_file(m_filename,
-                 "the field '" + name + "' of the header is not " + std::to_string(count) +
-                     (count == 1 ? " finite number" : " finite numbers"),
-                 "correct it or write the file again");
+    internal::fail("the field '" + name + "' of the header is not " + std::to_string(count) +
+                       (count == 1 ? " finite number" : " finite numbers"),
+                   "correct it or write the file again");
   }
 
-  std::string m_filename;
   char m_separator;
   std::string m_text;
   std::size_t m_at = 0;
@@ -183,7 +181,7 @@ inline void find_data(const std::string& filename, const std::string& name, cons
                       std::size_t number_of_lines, Volume_header& header)
 {
   if (name.find('%') != std::string::npos || boost::algorithm::starts_with(name, "LIST")) {
-    fail_in_file(filename, "the data are in several files, which is not read", "write them into one");
+    fail("the data are in several files, which is not read", "write them into one");
   }
   header.data_filename =
       name.empty() ? filename : (std::filesystem::path(filename).parent_path() / name).string(); // absolute ones stay
@@ -226,7 +224,7 @@ inline Volume_header read_nrrd_header(const std::string& filename)
   Line_header lines(filename, ':');
   const std::optional<std::string> magic = lines.next_line();
   if (!magic || !boost::algorithm::starts_with(*magic, "NRRD000")) {
-    fail_in_file(filename, "does not begin with NRRD and its version", "check what the file is");
+    fail("does not begin with NRRD and its version", "check what the file is");
   }
   while (const std::optional<std::string> line = lines.next_line()) {
     if (line->empty()) {
@@ -240,21 +238,20 @@ inline Volume_header read_nrrd_header(const std::string& filename)
   }
   Volume_header header;
   if (lines.count("dimension", 0) != 3) {
-    fail_in_file(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
+    fail("'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
   header.grid.size = lines.counts<3>(lines.value({"sizes"}), "sizes");
   const std::string type = lines.value({"type"});
   header.type = number_type(type);
   if (!header.type.is_valid()) {
-    fail_in_file(filename, "'" + type.substr(0, 40) + "' is not a type of numbers that volumes have",
-                 "write the volume with one from int8 to uint64, float or double");
+    fail("'" + type.substr(0, 40) + "' is not a type of numbers that volumes have",
+         "write the volume with one from int8 to uint64, float or double");
   }
   header.order = lines.value({"endian"}) == "big" ? Byte_order::big : Byte_order::little;
   const std::string encoding = lower_case(lines.value({"encoding"}));
   header.is_compressed = encoding == "gzip" || encoding == "gz";
   if (!header.is_compressed && encoding != "raw") {
-    fail_in_file(filename, "'encoding: " + encoding.substr(0, 40) + "' is not read",
-                 "write it with the encoding raw or gzip");
+    fail("'encoding: " + encoding.substr(0, 40) + "' is not read", "write it with the encoding raw or gzip");
   }
   read_nrrd_axes(lines, header.grid);
   find_data(filename, lines.value({"datafile"}), lines, "byteskip", lines.count("lineskip", 0), header);
@@ -275,10 +272,10 @@ inline Volume_header read_meta_image_header(const std::string& filename)
     return boost::algorithm::istarts_with(lines.value(names), "t", std::locale::classic());
   };
   if (!has_data) {
-    fail_in_file(filename, "the header has no ElementDataFile", "check what the file is");
+    fail("the header has no ElementDataFile", "check what the file is");
   }
   if (lines.count("ndims", 0) != 3 || lines.count("elementnumberofchannels", 1) != 1) {
-    fail_in_file(filename, "is not of three dimensions with one number a voxel", "write such a volume");
+    fail("is not of three dimensions with one number a voxel", "write such a volume");
   }
   Volume_header header;
   header.grid.size = lines.counts<3>(lines.value({"dimsize"}), "DimSize");
@@ -286,8 +283,8 @@ inline Volume_header read_meta_image_header(const std::string& filename)
   constexpr std::size_t size_of_long = 4; // in files, whatever it is in memory
   header.type = number_type(type, size_of_long);
   if (!header.type.is_valid()) {
-    fail_in_file(filename, "'" + type.substr(0, 40) + "' is not an ElementType of one number a voxel",
-                 "write the volume with one from MET_CHAR to MET_DOUBLE");
+    fail("'" + type.substr(0, 40) + "' is not an ElementType of one number a voxel",
+         "write the volume with one from MET_CHAR to MET_DOUBLE");
   }
   header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
@@ -338,7 +335,7 @@ inline void read_nifti_axes(const Integer& integer, const Real& real, Volume_gri
 inline constexpr std::size_t nifti_header_size = 348; // bytes
 
 /// \param bytes the header of NIfTI-1, whose numbers stand in fixed places
-inline Volume_header parse_nifti_header(const std::string& bytes, const std::string& filename)
+inline Volume_header parse_nifti_header(const std::string& bytes)
 {
   Volume_header result;
   const auto has_size = [&] {
@@ -350,15 +347,13 @@ inline Volume_header parse_nifti_header(const std::string& bytes, const std::str
   const auto real = [&](std::size_t place) { return double(stored_number<float>(bytes.data() + place, result.order)); };
   result.order = has_size() ? Byte_order::little : Byte_order::big;
   if (!has_size() || bytes.substr(344, 3) != "n+1") {
-    fail_in_file(filename, "has no header of NIfTI-1 with its data in the same file",
-                 "check what the file is, or write it as NIfTI-1");
+    fail("has no header of NIfTI-1 with its data in the same file", "check what the file is, or write it as NIfTI-1");
   }
   const int dimension = integer(40);
   for (std::size_t axis = 0; axis < 7; ++axis) {
     const int extent = int(axis) < dimension ? integer(42 + 2 * axis) : 1;
     if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
-      fail_in_file(filename, "'dim' in the header tells no volume of one value a voxel",
-                   "write it as one of three dimensions");
+      fail("'dim' in the header tells no volume of one value a voxel", "write it as one of three dimensions");
     }
     if (axis < 3) {
       result.grid.size[axis] = std::size_t(extent);
@@ -369,8 +364,8 @@ inline Volume_header parse_nifti_header(const std::string& bytes, const std::str
                                                 {1024, {'i', 8}}, {1280, {'u', 8}}};
   const auto type = types.find(integer(70));
   if (type == types.end()) {
-    fail_in_file(filename, "'datatype' " + std::to_string(integer(70)) + " is not of one number a voxel",
-                 "write the volume with integers, float or double");
+    fail("'datatype' " + std::to_string(integer(70)) + " is not of one number a voxel",
+         "write the volume with integers, float or double");
   }
   result.type = type->second;
   if (std::isfinite(real(112)) && std::isfinite(real(116)) && real(112) != 0) {
@@ -380,7 +375,7 @@ inline Volume_header parse_nifti_header(const std::string& bytes, const std::str
   const double begin = real(108);
   constexpr double max_begin = 1e9; // bytes of extensions
   if (!(begin >= double(nifti_header_size)) || begin > max_begin) {
-    fail_in_file(filename, "'vox_offset' in the header is inside the header or too large", "correct it");
+    fail("'vox_offset' in the header is inside the header or too large", "correct it");
   }
   result.data_begin = std::size_t(begin);
   read_nifti_axes(integer, real, result.grid);
@@ -392,12 +387,11 @@ inline Volume_header read_nifti_header(const std::string& filename)
   std::ifstream in = open_file(filename);
   const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
   std::string bytes(nifti_header_size, '\0');
-  if (is_compressed) {
-    Inflating_stream(in, filename).read(bytes.data(), bytes.size());
-  } else if (!in.read(bytes.data(), std::streamsize(bytes.size()))) {
-    fail_in_file(filename, "is shorter than a header of NIfTI-1", "check what the file is");
+  const auto size = std::streamsize(bytes.size());
+  if ((is_compressed ? Inflating_buffer(in).sgetn(bytes.data(), size) : in.rdbuf()->sgetn(bytes.data(), size)) < size) {
+    fail("is shorter than a header of NIfTI-1", "check what the file is");
   }
-  Volume_header header = parse_nifti_header(bytes, filename);
+  Volume_header header = parse_nifti_header(bytes);
   header.data_filename = filename;
   header.is_compressed = is_compressed;
   if (is_compressed) {

@@ -34,12 +34,15 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <initializer_list>
+#include <ios>
+#include <istream>
 #include <limits>
 #include <locale>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <type_traits>
@@ -50,193 +53,154 @@
 namespace CSCD {
 namespace internal {
 
-/// The product of positive numbers.
-/// \throw File_error if it is more than a quarter of the greatest number, so that sums with others do not overflow
-std::size_t checked_product(const std::string& filename, std::initializer_list<std::size_t> factors)
+/// The size of the voxels of a volume, in bytes.
+/// \throw Content_error if it is 0, or more than a quarter of the greatest number: sums with others do not overflow
+std::size_t size_of_voxels(const Volume_header& header)
 {
-  constexpr std::size_t max_product = std::numeric_limits<std::size_t>::max() / 4;
-  std::size_t product = 1;
-  for (const std::size_t factor : factors) {
-    if (factor == 0) {
-      fail_in_file(filename, "a size in the header is 0", "correct it");
+  constexpr std::size_t max_size = std::numeric_limits<std::size_t>::max() / 4;
+  std::size_t size = header.type.size;
+  for (const std::size_t extent : header.grid.size) {
+    if (extent == 0) {
+      fail("a size in the header is 0", "correct it");
     }
-    if (factor > max_product / product) {
-      fail_in_file(filename, "the sizes in the header are too large for any memory", "correct them");
+    if (extent > max_size / size) {
+      fail("the sizes in the header are too large for any memory", "correct them");
     }
-    product *= factor;
+    size *= extent;
   }
-  return product;
+  return size;
 }
 
-/// Selects voxels by their values, and labels them.
-struct Voxel_labeling
+/// The label that a voxel's value is, if any; 0 if it is not a number.
+template <class Number>
+std::optional<Voxel_label> to_label(Number value)
 {
-  const Voxel_selection& selection;
-  const std::string& filename; ///< for messages
-
-  /// The label of a voxel of this value; 0 if it is not selected.
-  template <class Number>
-  Voxel_label operator()(Number value) const
-  {
-    if (selection.threshold) {
-      return double(value) >= *selection.threshold ? 1 : 0;
+  constexpr double end_of_labels = 0x1p64;
+  if constexpr (std::is_floating_point_v<Number>) {
+    value = std::isnan(value) ? 0 : value;
+    if (value != std::floor(value) || double(value) >= end_of_labels) {
+      return std::nullopt;
     }
-    const std::optional<Voxel_label> label = to_label(value);
-    if (selection.label) {
-      return label == selection.label ? *label : 0;
-    }
-    if (!selection.separates_labels) {
-      return label != Voxel_label(0) ? 1 : 0;
-    }
-    if (!label) {
-      fail_in_file(filename, "a voxel has the value " + std::to_string(value) + ", which is not an integer from 0 on",
-                   "choose a threshold");
-    }
-    return *label;
   }
+  return std::is_unsigned_v<Number> || value >= Number(0) ? std::optional<Voxel_label>(value) : std::nullopt;
+}
 
-private:
-  /// The label that `value` is, if any; 0 if it is not a number.
-  template <class Number>
-  static std::optional<Voxel_label> to_label(Number value)
-  {
-    constexpr double end_of_labels = 0x1p64;
-    if constexpr (std::is_floating_point_v<Number>) {
-      value = std::isnan(value) ? 0 : value;
-      if (value != std::floor(value) || double(value) >= end_of_labels) {
-        return std::nullopt;
-      }
-    }
-    return std::is_unsigned_v<Number> || value >= Number(0) ? std::optional<Voxel_label>(value) : std::nullopt;
+/// The label of a voxel of this value; 0 if it is not selected.
+template <class Number>
+Voxel_label select_voxel(const Voxel_selection& selection, Number value)
+{
+  if (selection.threshold) {
+    return double(value) >= *selection.threshold ? 1 : 0;
   }
-};
+  const std::optional<Voxel_label> label = to_label(value);
+  if (selection.label) {
+    return label == selection.label ? *label : 0;
+  }
+  if (!selection.separates_labels) {
+    return label != Voxel_label(0) ? 1 : 0;
+  }
+  if (!label) {
+    fail("a voxel has the value " + std::to_string(value) + ", which is not an integer from 0 on",
+         "choose a threshold");
+  }
+  return *label;
+}
 
-/// The voxels of a volume, slice by slice.
+/// A volume that is open, and how its voxels are read.
 struct Volume_file
 {
-  virtual ~Volume_file() = default;
-  /// Reads the next slice, one of `labels` for each voxel.
-  virtual void read_slice(const Voxel_labeling& label_of, std::vector<Voxel_label>& labels) = 0;
-
   std::string filename;
-  Volume_grid grid;
+  Volume_header header;
+  std::ifstream file;                      ///< the one with the data, unless libtiff reads it
+  std::unique_ptr<std::streambuf> decoder; ///< of the data; null if they stand in the file as they are
+  std::istream data{nullptr};              ///< the bytes of the voxels
+  std::vector<char> bytes{};               ///< of a slice
 };
 
-/// A volume whose data are raw bytes, compressed or not.
-class Byte_volume_file : public Volume_file
+/// Opens data that are raw bytes, compressed or not. \throw Content_error if they cannot have the size in the header
+void open_bytes(Volume_file& volume)
 {
-public:
-  /// \throw File_error if the data cannot have the size in the header
-  Byte_volume_file(const std::string& its_filename, const Volume_header& header)
-      : m_header(header), m_in(header.data_filename, std::ios::binary)
-  {
-    filename = its_filename;
-    grid = header.grid;
-    std::error_code error;
-    const std::size_t file_size = std::size_t(std::filesystem::file_size(header.data_filename, error));
-    if (!m_in || error) {
-      fail_in_file(filename, "the data file " + header.data_filename + " cannot be opened",
-                   "put it there or correct its name");
-    }
-    const std::size_t size = checked_product(filename, {grid.size[0], grid.size[1], grid.size[2], header.type.size});
-    std::size_t begin = header.data_begin;
-    if (header.is_data_at_end) {
-      begin = file_size >= size ? file_size - size : file_size;
-    }
-    const std::size_t available = begin < file_size ? file_size - begin : 0;
-    const std::size_t needed = header.is_compressed ? size / max_deflate_ratio : size;
-    if (needed > available || available == 0) {
-      fail_in_file(filename,
-                   "the header promises " + std::to_string(size) + " bytes of voxels, the data have " +
-                       std::to_string(available) + (header.is_compressed ? " compressed ones" : ""),
-                   "the file seems truncated, fetch or write it again");
-    }
-    m_in.seekg(std::streamoff(begin));
-    if (header.is_compressed) {
-      m_stream = std::make_unique<Inflating_stream>(m_in, filename);
-      m_stream->skip(header.skipped_bytes);
-    }
-    m_bytes.resize(grid.slice_size() * header.type.size);
+  const Volume_header& header = volume.header;
+  volume.file.open(header.data_filename, std::ios::binary);
+  std::error_code error;
+  const std::size_t file_size = std::size_t(std::filesystem::file_size(header.data_filename, error));
+  if (!volume.file || error) {
+    fail("the data file " + header.data_filename + " cannot be opened", "put it there or correct its name");
   }
-
-  void read_slice(const Voxel_labeling& label_of, std::vector<Voxel_label>& labels) override
-  {
-    if (m_stream) {
-      m_stream->read(m_bytes.data(), m_bytes.size());
-    } else {
-      m_in.read(m_bytes.data(), std::streamsize(m_bytes.size()));
-      if (std::size_t(m_in.gcount()) != m_bytes.size()) {
-        fail_in_file(filename, "cannot be read to the end of its data", "check the disk or the connection");
-      }
-    }
-    labels.resize(grid.slice_size());
-    const Number_view view{m_bytes.data(), m_header.type, m_header.order, m_header.type.size, labels.size()};
-    if (m_header.slope == 1 && m_header.intercept == 0) {
-      view.for_each_exact([&](std::size_t i, auto value) { labels[i] = label_of(value); });
-    } else {
-      view.for_each(
-          [&](std::size_t i, double value) { labels[i] = label_of(m_header.slope * value + m_header.intercept); });
-    }
+  const std::size_t size = size_of_voxels(header);
+  std::size_t begin = header.data_begin;
+  if (header.is_data_at_end) {
+    begin = file_size >= size ? file_size - size : file_size;
   }
-
-private:
-  Volume_header m_header;
-  std::ifstream m_in;
-  std::unique_ptr<Inflating_stream> m_stream; ///< null if the data are not compressed
-  std::vector<char> m_bytes;
-};
+  const std::size_t available = begin < file_size ? file_size - begin : 0;
+  const std::size_t needed = header.is_compressed ? size / max_deflate_ratio : size;
+  if (needed > available || available == 0) {
+    fail("the header promises " + std::to_string(size) + " bytes of voxels, the data have " +
+             std::to_string(available) + (header.is_compressed ? " compressed ones" : ""),
+         "the file seems truncated, fetch or write it again");
+  }
+  volume.file.seekg(std::streamoff(begin));
+  if (header.is_compressed) {
+    volume.decoder = std::make_unique<Inflating_buffer>(volume.file);
+  }
+}
 
 #ifdef CSCD_WITH_TIFF
-/// A TIFF whose pages are slices, in strips of rows.
-class Tiff_volume_file : public Volume_file
+/// The voxels of a TIFF whose pages are slices, in strips of rows.
+class Tiff_buffer : public std::streambuf
 {
 public:
-  explicit Tiff_volume_file(const std::string& its_filename)
+  /// Opens the file and describes it in `header`, which must outlive this object.
+  Tiff_buffer(const std::string& filename, Volume_header& header) : m_header(header)
   {
-    filename = its_filename;
     TIFFSetErrorHandler(nullptr); // failures are exceptions here
     TIFFSetWarningHandler(nullptr);
     m_tiff.reset(TIFFOpen(filename.c_str(), "rm"));
     if (!m_tiff) {
-      fail_in_file(filename, "cannot be opened as TIFF", "check the name, the permissions and what the file is");
+      fail("cannot be opened as TIFF", "check the name, the permissions and what the file is");
     }
-    m_page = read_page();
-    grid.size = {m_page.width, m_page.height, 0};
-    do {
-      ++grid.size[2];
-    } while (TIFFReadDirectory(m_tiff.get()) != 0);
+    const Page first = read_page();
+    header.type = first.type;
+    header.order = Byte_order::native;
+    header.grid.size = {first.width, first.height, 1};
+    while (TIFFReadDirectory(m_tiff.get()) != 0) {
+      ++header.grid.size[2];
+    }
     if (TIFFSetDirectory(m_tiff.get(), 0) == 0) {
-      fail();
+      fail_at_page();
     }
-    checked_product(filename, {grid.size[0], grid.size[1], grid.size[2], m_page.type.size});
-    check_size();
+    size_of_voxels(header); // which checks it
+    // Nothing compresses to less than a four thousandth, except pages that understate their size.
+    constexpr std::size_t max_ratio = 4096;
+    std::error_code error;
+    const std::size_t file_size = std::size_t(std::filesystem::file_size(filename, error));
+    if (error || header.grid.slice_size() / max_ratio > file_size) {
+      fail("the pages are larger than the file can hold", "fetch or write the file again");
+    }
   }
 
-  void read_slice(const Voxel_labeling& label_of, std::vector<Voxel_label>& labels) override
+protected:
+  /// Reads a row, the first one of the next page after the last one of a page.
+  int_type underflow() override
   {
-    const Page page = read_page();
-    if (page.width != m_page.width || page.height != m_page.height || page.type.kind != m_page.type.kind ||
-        page.type.size != m_page.type.size) {
-      fail_in_file(filename, "page " + std::to_string(m_number_of_slices) + " has another size or type than the first",
-                   "write all slices alike");
-    }
-    labels.resize(grid.slice_size());
-    const std::size_t row_size = grid.size[0] * page.type.size;
-    m_row.resize(std::size_t(TIFFScanlineSize(m_tiff.get())));
-    if (m_row.size() < row_size) {
-      fail();
-    }
-    for (std::size_t y = 0; y < grid.size[1]; ++y) {
-      if (TIFFReadScanline(m_tiff.get(), m_row.data(), std::uint32_t(y), 0) != 1) {
-        fail();
+    if (m_y == m_header.grid.size[1]) {
+      ++m_page;
+      m_y = 0;
+      if (m_page == m_header.grid.size[2]) {
+        return traits_type::eof();
       }
-      const Number_view view{m_row.data(), page.type, Byte_order::native, page.type.size, grid.size[0]};
-      view.for_each_exact([&](std::size_t x, auto value) { labels[y * grid.size[0] + x] = label_of(value); });
+      if (TIFFReadDirectory(m_tiff.get()) == 0) {
+        fail_at_page();
+      }
     }
-    ++m_number_of_slices;
-    if (m_number_of_slices < grid.size[2] && TIFFReadDirectory(m_tiff.get()) == 0) {
-      fail();
+    if (m_y == 0) {
+      begin_page();
     }
+    if (TIFFReadScanline(m_tiff.get(), m_row.data(), std::uint32_t(m_y++), 0) != 1) {
+      fail_at_page();
+    }
+    setg(m_row.data(), m_row.data(), m_row.data() + m_header.grid.size[0] * m_header.type.size);
+    return traits_type::to_int_type(*gptr());
   }
 
 private:
@@ -251,10 +215,23 @@ private:
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
   };
 
-  [[noreturn]] void fail() const
+  [[noreturn]] void fail_at_page() const
   {
-    fail_in_file(filename, "page " + std::to_string(m_number_of_slices) + " is damaged or cannot be decoded",
-                 "write the file again, without compression");
+    fail("page " + std::to_string(m_page) + " is damaged or cannot be decoded",
+         "write the file again, without compression");
+  }
+
+  void begin_page()
+  {
+    const Page page = read_page();
+    if (page.width != m_header.grid.size[0] || page.height != m_header.grid.size[1] ||
+        page.type.kind != m_header.type.kind || page.type.size != m_header.type.size) {
+      fail("page " + std::to_string(m_page) + " has another size or type than the first", "write all slices alike");
+    }
+    m_row.resize(std::size_t(TIFFScanlineSize(m_tiff.get())));
+    if (m_row.size() < page.width * page.type.size) {
+      fail_at_page();
+    }
   }
 
   template <class Value>
@@ -275,37 +252,28 @@ private:
                            std::size_t(bits / 8)};
     if (TIFFIsTiled(m_tiff.get()) != 0 || field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL) != 1 || bits % 8 != 0 ||
         !type.is_valid()) {
-      fail_in_file(filename, "is tiled, in color, or of numbers that are not 8 to 64 bits long",
-                   "write slices of one number a pixel, in strips");
+      fail("is tiled, in color, or of numbers that are not 8 to 64 bits long",
+           "write slices of one number a pixel, in strips");
     }
     return {field<std::uint32_t>(TIFFTAG_IMAGEWIDTH), field<std::uint32_t>(TIFFTAG_IMAGELENGTH), type};
   }
 
-  /// Nothing compresses to less than a four thousandth, except pages that understate their size.
-  void check_size() const
-  {
-    constexpr std::size_t max_ratio = 4096;
-    std::error_code error;
-    const std::size_t file_size = std::size_t(std::filesystem::file_size(filename, error));
-    if (error || grid.slice_size() / max_ratio > file_size) {
-      fail_in_file(filename, "the pages are larger than the file can hold", "fetch or write the file again");
-    }
-  }
-
   std::unique_ptr<TIFF, Closer> m_tiff;
-  Page m_page{};
-  std::size_t m_number_of_slices = 0;
+  const Volume_header& m_header;
+  std::size_t m_page = 0; ///< that is read
+  std::size_t m_y = 0;    ///< of the next row in it
   std::vector<char> m_row;
 };
 #endif
 
-std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
+/// Opens a TIFF.
+void open_tiff([[maybe_unused]] Volume_file& volume)
 {
 #ifdef CSCD_WITH_TIFF
-  return std::make_unique<Tiff_volume_file>(filename);
+  volume.decoder = std::make_unique<Tiff_buffer>(volume.filename, volume.header);
 #else
-  fail_in_file(filename, "is a TIFF, and this was built without libtiff",
-               "install libtiff-dev and build again, or write the volume as .nrrd, .nii or .mha");
+  fail("is a TIFF, and this was built without libtiff",
+       "install libtiff-dev and build again, or write the volume as .nrrd, .nii or .mha");
 #endif
 }
 
@@ -333,12 +301,41 @@ std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 {
   const auto* const format = find_volume_format(filename);
   if (format == volume_formats.end()) {
-    fail_in_file(filename, "the ending names no known format of volumes",
-                 "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
+    fail("the ending names no known format of volumes", "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
   open_file(filename); // libtiff would not report a folder or a wrong name as the cause
-  return format->second == nullptr ? open_tiff(filename)
-                                   : std::make_unique<Byte_volume_file>(filename, format->second(filename));
+  auto volume = std::make_unique<Volume_file>();
+  volume->filename = filename;
+  if (format->second == nullptr) {
+    open_tiff(*volume);
+  } else {
+    volume->header = format->second(filename);
+    open_bytes(*volume);
+  }
+  volume->data.rdbuf(volume->decoder ? volume->decoder.get() : volume->file.rdbuf());
+  volume->data.exceptions(volume->decoder ? std::ios::badbit : std::ios::goodbit); // passes on those of the decoder
+  volume->data.ignore(std::streamsize(volume->header.skipped_bytes));
+  volume->bytes.resize(volume->header.grid.slice_size() * volume->header.type.size);
+  return volume;
+}
+
+/// Reads the next slice of a volume.
+void read_slice(Volume_file& volume, const Voxel_selection& selection, std::vector<Voxel_label>& labels)
+{
+  const Volume_header& header = volume.header;
+  if (!volume.data.read(volume.bytes.data(), std::streamsize(volume.bytes.size()))) {
+    if (header.is_compressed) {
+      fail("compressed data end too early", "fetch or write the file again");
+    }
+    fail("cannot be read to the end of its data", "check the disk or the connection");
+  }
+  labels.resize(header.grid.slice_size());
+  const Number_view view{volume.bytes.data(), header.type, header.order, header.type.size, labels.size()};
+  const bool is_scaled = header.slope != 1 || header.intercept != 0;
+  view.for_each([&](std::size_t i, auto value) {
+    labels[i] = is_scaled ? select_voxel(selection, header.slope * double(value) + header.intercept)
+                          : select_voxel(selection, value);
+  });
 }
 
 } // namespace internal
@@ -349,15 +346,15 @@ bool is_volume_filename(const std::string& filename)
 }
 
 Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)
-    : m_file(internal::open_volume(filename)), m_selection(selection)
+    : m_file(internal::naming(filename, [&] { return internal::open_volume(filename); })), m_selection(selection)
 {
-  const Volume_grid& its_grid = m_file->grid;
+  const Volume_grid& its_grid = grid();
   const double volume = std::abs(its_grid.signed_voxel_volume());
   const double product = its_grid.axes[0].norm() * its_grid.axes[1].norm() * its_grid.axes[2].norm();
   constexpr double min_angle = 1e-6; // of a voxel's volume to that of a box with the same sides
   if (!(volume > min_angle * product) || !std::isfinite(product) || !its_grid.origin.allFinite()) {
-    internal::fail_in_file(filename, "the axes in the header do not span the space, or are not finite",
-                           "correct spacing, directions and origin");
+    throw File_error(filename + ": the axes in the header do not span the space, or are not finite; correct spacing, "
+                                "directions and origin");
   }
 }
 Volume_reader::Volume_reader(Volume_reader&& other) noexcept = default;
@@ -365,12 +362,12 @@ Volume_reader::~Volume_reader() = default;
 
 const Volume_grid& Volume_reader::grid() const
 {
-  return m_file->grid;
+  return m_file->header.grid;
 }
 
 void Volume_reader::read_slice(std::vector<Voxel_label>& labels)
 {
-  m_file->read_slice({m_selection, m_file->filename}, labels);
+  internal::naming(m_file->filename, [&] { internal::read_slice(*m_file, m_selection, labels); });
 }
 
 Volume read_volume(const std::string& filename, const Voxel_selection& selection)
@@ -387,17 +384,6 @@ Volume read_volume(const std::string& filename, const Voxel_selection& selection
 
 namespace {
 
-/// The result of `work`, with the name of the file before the message of an `Input_error`.
-template <class Work>
-decltype(auto) naming(const std::string& filename, const Work& work)
-{
-  try {
-    return work();
-  } catch (const Input_error& error) {
-    throw Input_error(filename + ": " + error.what());
-  }
-}
-
 /// The labels that occur in each slice and not in a later one, in ascending order.
 std::vector<std::vector<Voxel_label>> labels_of_last_slices(const std::string& filename,
                                                             const Voxel_selection& selection)
@@ -413,7 +399,7 @@ std::vector<std::vector<Voxel_label>> labels_of_last_slices(const std::string& f
         last_slice[label] = z;
       }
     }
-    naming(filename, [&] { Voxel_surface_builder::check_number_of_labels(last_slice.size()); });
+    internal::naming(filename, [&] { Voxel_surface_builder::check_number_of_labels(last_slice.size()); });
   }
   std::vector<std::vector<Voxel_label>> result(reader.grid().size[2]);
   for (const auto& [label, z] : last_slice) {
@@ -435,11 +421,12 @@ void for_each_voxel_surface(const std::string& filename, const Voxel_selection& 
     labels_that_end = labels_of_last_slices(filename, selection);
   }
   Volume_reader reader(filename, selection);
-  Voxel_surface_builder builder = naming(filename, [&] { return Voxel_surface_builder(reader.grid(), settings); });
+  Voxel_surface_builder builder =
+      internal::naming(filename, [&] { return Voxel_surface_builder(reader.grid(), settings); });
   std::vector<Voxel_label> slice;
   for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
     reader.read_slice(slice);
-    naming(filename, [&] { builder.push_slice(slice.data()); });
+    internal::naming(filename, [&] { builder.push_slice(slice.data()); });
     if (z > 0 && !labels_that_end.empty()) {
       for (const Voxel_label label : labels_that_end[z - 1]) {
         take(builder.take_surface(label));

@@ -72,11 +72,6 @@ std::string without_compression_ending(const std::string& filename);
 
 namespace internal {
 
-/// All that is left in `in`, decompressed if `format` ends as the name of a compressed file.
-/// \param name for messages
-/// \throw File_error if reading fails, or if it cannot be decompressed
-std::string read_content(std::istream& in, const std::string& name, const std::string& format);
-
 /// `vectors` as points or vectors of any type that is constructible from three coordinates.
 template <class Triple>
 std::vector<Triple> make_triples(const std::vector<Vector3>& vectors)
