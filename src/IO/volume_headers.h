@@ -25,12 +25,12 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <limits>
 #include <locale>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CSCD::internal {
 
@@ -103,50 +103,35 @@ public:
     return "";
   }
 
-  /// Numbers separated by blanks, commas and parentheses.
-  /// \throw Content_error if there are not exactly `count` of them, all finite
-  template <std::size_t count>
-  std::array<double, count> numbers(std::string text, const std::string& name) const
+  /// Reads vectors from the value of the first of `names` that is there: finite numbers separated by blanks, commas and
+  /// parentheses.
+  /// \param title of the field in messages
+  /// \return whether one is there
+  /// \throw Content_error if there are not exactly the numbers of as many vectors
+  bool read(std::initializer_list<const char*> names, const char* title, std::initializer_list<Vector3*> vectors) const
   {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
-    Text_scanner scanner(text);
-    std::array<double, count> result{};
-    for (double& number : result) {
-      const bool is_there = scanner.skip_blanks() && scanner.is_at_number();
-      number = is_there ? scanner.number() : std::numeric_limits<double>::infinity();
-      if (!std::isfinite(number)) {
-        fail(name, count);
-      }
+    const std::string text = value(names);
+    if (text.empty()) {
+      return false;
     }
-    if (scanner.skip_blanks()) {
-      fail(name, count);
+    const std::vector<double> all = numbers(text, title, 3 * vectors.size());
+    auto number = all.begin();
+    for (Vector3* const vector : vectors) {
+      std::copy_n(number, 3, vector->begin());
+      number += 3;
     }
-    return result;
+    return true;
   }
 
-  /// Vectors, one after the other. \throw Content_error if there are not exactly the numbers of as many, all finite
-  template <std::size_t size>
-  std::array<Vector3, size> vectors(const std::string& text, const std::string& name) const
-  {
-    const std::array<double, 3 * size> v = numbers<3 * size>(text, name);
-    std::array<Vector3, size> result;
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      result[i / 3][i % 3] = v[i];
-    }
-    return result;
-  }
-
-  /// Integers from 0 on. \throw Content_error if there are not exactly `count` of them
-  template <std::size_t count>
-  std::array<std::size_t, count> counts(const std::string& text, const std::string& name) const
+  /// Integers from 0 on, at most three. \throw Content_error if there are not exactly as many as `size`
+  std::array<std::size_t, 3> counts(const std::string& text, const std::string& title, std::size_t size = 3) const
   {
     constexpr double max_count = 1e15; // integers up to this are exact, and no file has as many bytes
-    const std::array<double, count> all = numbers<count>(text, name);
-    std::array<std::size_t, count> result{};
+    const std::vector<double> all = numbers(text, title, size);
+    std::array<std::size_t, 3> result{};
     std::transform(all.begin(), all.end(), result.begin(), [&](double number) {
       if (!(number >= 0) || number > max_count || number != std::floor(number)) {
-        fail(name, count);
+        fail(title, size);
       }
       return std::size_t(number);
     });
@@ -157,10 +142,28 @@ public:
   std::size_t count(const std::string& name, std::size_t its_default) const
   {
     const std::string text = value({name.c_str()});
-    return text.empty() ? its_default : counts<1>(text, name).front();
+    return text.empty() ? its_default : counts(text, name, 1).front();
   }
 
 private:
+  /// \throw Content_error if there are not exactly `size` numbers in `text`, all finite
+  static std::vector<double> numbers(std::string text, const std::string& title, std::size_t size)
+  {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+    Text_scanner scanner(text);
+    std::vector<double> result;
+    bool are_finite = true;
+    while (are_finite && result.size() < size && scanner.skip_blanks() && scanner.is_at_number()) {
+      result.push_back(scanner.number());
+      are_finite = std::isfinite(result.back());
+    }
+    if (result.size() != size || !are_finite || scanner.skip_blanks()) {
+      fail(title, size);
+    }
+    return result;
+  }
+
   [[noreturn]] static void fail(const std::string& name, std::size_t count)
   {
     internal::fail("the field '" + name + "' of the header is not " + std::to_string(count) +
@@ -205,20 +208,6 @@ inline void scale_axes(Volume_grid& grid, const Vector3& spacing)
   }
 }
 
-/// Reads the axes of NRRD: directions in space or spacings.
-inline void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
-{
-  const std::string directions = lines.value({"spacedirections"});
-  if (const std::string spacings = lines.value({"spacings"}); directions.empty() && !spacings.empty()) {
-    scale_axes(grid, lines.vectors<1>(spacings, "spacings")[0]);
-  } else if (!directions.empty()) {
-    grid.axes = lines.vectors<3>(directions, "space directions");
-  }
-  if (const std::string origin = lines.value({directions.empty() ? "axismins" : "spaceorigin"}); !origin.empty()) {
-    grid.origin = lines.vectors<1>(origin, "space origin")[0];
-  }
-}
-
 inline Volume_header read_nrrd_header(const std::string& filename)
 {
   Line_header lines(filename, ':');
@@ -240,7 +229,7 @@ inline Volume_header read_nrrd_header(const std::string& filename)
   if (lines.count("dimension", 0) != 3) {
     fail("'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
-  header.grid.size = lines.counts<3>(lines.value({"sizes"}), "sizes");
+  header.grid.size = lines.counts(lines.value({"sizes"}), "sizes");
   const std::string type = lines.value({"type"});
   header.type = number_type(type);
   if (!header.type.is_valid()) {
@@ -253,7 +242,13 @@ inline Volume_header read_nrrd_header(const std::string& filename)
   if (!header.is_compressed && encoding != "raw") {
     fail("'encoding: " + encoding.substr(0, 40) + "' is not read", "write it with the encoding raw or gzip");
   }
-  read_nrrd_axes(lines, header.grid);
+  auto& [x, y, z] = header.grid.axes; // directions in space or spacings
+  const bool has_directions = lines.read({"spacedirections"}, "space directions", {&x, &y, &z});
+  Vector3 spacings(1, 1, 1);
+  if (!has_directions && lines.read({"spacings"}, "spacings", {&spacings})) {
+    scale_axes(header.grid, spacings);
+  }
+  lines.read({has_directions ? "spaceorigin" : "axismins"}, "space origin", {&header.grid.origin});
   find_data(filename, lines.value({"datafile"}), lines, "byteskip", lines.count("lineskip", 0), header);
   if (!header.is_compressed) {
     header.data_begin += std::exchange(header.skipped_bytes, 0);
@@ -278,7 +273,7 @@ inline Volume_header read_meta_image_header(const std::string& filename)
     fail("is not of three dimensions with one number a voxel", "write such a volume");
   }
   Volume_header header;
-  header.grid.size = lines.counts<3>(lines.value({"dimsize"}), "DimSize");
+  header.grid.size = lines.counts(lines.value({"dimsize"}), "DimSize");
   const std::string type = lines.value({"elementtype"});
   constexpr std::size_t size_of_long = 4; // in files, whatever it is in memory
   header.type = number_type(type, size_of_long);
@@ -288,15 +283,12 @@ inline Volume_header read_meta_image_header(const std::string& filename)
   }
   header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
-  if (const std::string matrix = lines.value({"transformmatrix", "rotation", "orientation"}); !matrix.empty()) {
-    header.grid.axes = lines.vectors<3>(matrix, "TransformMatrix");
-  }
-  if (const std::string spacing = lines.value({"elementspacing", "elementsize"}); !spacing.empty()) {
-    scale_axes(header.grid, lines.vectors<1>(spacing, "ElementSpacing")[0]);
-  }
-  if (const std::string offset = lines.value({"offset", "origin", "position"}); !offset.empty()) {
-    header.grid.origin = lines.vectors<1>(offset, "Offset")[0];
-  }
+  auto& [x, y, z] = header.grid.axes;
+  lines.read({"transformmatrix", "rotation", "orientation"}, "TransformMatrix", {&x, &y, &z});
+  Vector3 spacing(1, 1, 1);
+  lines.read({"elementspacing", "elementsize"}, "ElementSpacing", {&spacing});
+  scale_axes(header.grid, spacing);
+  lines.read({"offset", "origin", "position"}, "Offset", {&header.grid.origin});
   const std::string data = lines.value({"elementdatafile"});
   const bool is_local = boost::algorithm::iequals(data, "LOCAL", std::locale::classic());
   find_data(filename, is_local ? "" : data, lines, "headersize", 0, header);
