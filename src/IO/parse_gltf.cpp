@@ -194,20 +194,16 @@ private:
   }
 
   /// Replaces `%20` and the like.
-  static std::string decode_percents(const std::string& uri)
+  static std::string decode_percents(std::string uri)
   {
-    std::string result;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
+    for (std::size_t i = uri.find('%'); i != std::string::npos; i = uri.find('%', i + 1)) {
       unsigned char byte = 0;
       const char* const digits = uri.data() + i + 1;
-      if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-        result.push_back(char(byte));
-        i += 2;
-      } else {
-        result.push_back(uri[i]);
+      if (i + 2 < uri.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+        uri.replace(i, 3, 1, char(byte));
       }
     }
-    return result;
+    return uri;
   }
 
   Number_type component_type(const Json& accessor) const

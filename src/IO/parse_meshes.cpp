@@ -36,16 +36,11 @@ bool read_off_keyword(Text_scanner& scanner)
 {
   scanner.skip_blanks(comment_of_off);
   std::string_view keyword = scanner.word();
-  const auto drop = [&keyword](std::string_view prefix) {
-    const bool found = keyword.substr(0, prefix.size()) == prefix;
-    keyword.remove_prefix(found ? prefix.size() : 0);
-    return found;
-  };
-  drop("ST"); // texture coordinates, then colors
-  drop("C");
-  const bool has_normals = drop("N");
+  drop_prefix(keyword, "ST"); // texture coordinates, then colors
+  drop_prefix(keyword, "C");
+  const bool has_normals = drop_prefix(keyword, "N");
   // Some writers leave no blank between the keyword and the number of vertices.
-  if (!drop("OFF") || (!keyword.empty() && (keyword[0] < '0' || keyword[0] > '9'))) {
+  if (!drop_prefix(keyword, "OFF") || (!keyword.empty() && (keyword[0] < '0' || keyword[0] > '9'))) {
     scanner.fail("this is not an OFF file of three-dimensional points: the keyword OFF is missing",
                  "check the ending of the file name");
   }
@@ -213,37 +208,38 @@ public:
   /// The size of the rest of the data, in bytes.
   std::size_t remaining() const { return m_bytes ? m_bytes->remaining() : m_text.remaining(); }
 
-  /// Reads the items of `element`. Calls `use(item, property, number)` for each of their numbers, and `end(item)`
-  /// behind them.
-  template <class Use, class End>
-  void read_items(const Element& element, const Use& use, const End& end)
+  /// Calls `use(item, numbers, corners)` for each item with its numbers of these `names`, 0 for those that are missing,
+  /// and with its list of vertices, which is empty if there is none.
+  template <class Use>
+  void read_items(const Element& element, Names names, const Use& use)
   {
+    const auto is_list_of_corners = [](const Property& p) {
+      return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+    };
+    const std::vector<Property>& properties = element.properties;
+    const auto list_of_corners = std::find_if(properties.begin(), properties.end(), is_list_of_corners);
+    std::vector<double> numbers(names.size() + 1); // the last one is not needed
+    std::vector<double*> places;                   // of the properties among these numbers
+    for (const Property& property : properties) {
+      const auto* const name = property.is_list ? names.end() : std::find(names.begin(), names.end(), property.name);
+      places.push_back(&numbers[std::size_t(name - names.begin())]);
+    }
+    std::vector<double> corners;
     // Items without properties take no room in the file, so that their number proves nothing.
-    for (std::size_t item = 0; item < element.number_of_items && !element.properties.empty(); ++item) {
-      for (const Property& property : element.properties) {
-        const std::size_t size = property.is_list ? next_size(property) : property.count;
+    for (std::size_t item = 0; item < element.number_of_items && !properties.empty(); ++item) {
+      corners.clear();
+      auto place = places.begin();
+      for (auto property = properties.begin(); property != properties.end(); ++property, ++place) {
+        const std::size_t size = property->is_list ? next_size(*property) : property->count;
         for (std::size_t i = 0; i < size; ++i) {
-          use(item, property, next(property.type));
+          **place = next(property->type);
+          if (property == list_of_corners) {
+            corners.push_back(**place);
+          }
         }
       }
-      end(item);
+      use(item, numbers, corners);
     }
-  }
-
-  /// Calls `use(item, numbers)` for each item with its properties of `names`; those that are missing are 0.
-  template <class Use>
-  void read_numbers(const Element& element, Names names, const Use& use)
-  {
-    std::vector<std::size_t> places; // of the properties among these names; their number for others
-    for (const Property& property : element.properties) {
-      const auto* const name = std::find(names.begin(), names.end(), property.name);
-      places.push_back(property.is_list ? names.size() : std::size_t(name - names.begin()));
-    }
-    std::vector<double> numbers(names.size() + 1); // the last one is not needed
-    const auto keep = [&](std::size_t, const Property& property, double number) {
-      numbers[places[std::size_t(&property - element.properties.data())]] = number;
-    };
-    read_items(element, keep, [&](std::size_t item) { use(item, numbers); });
   }
 
 private:
@@ -292,7 +288,7 @@ public:
       } else if (element.is_called("edge", "edges") && (m_contents & skeleton_content) != 0) {
         read_edges(element);
       } else {
-        m_items->read_numbers(element, {}, [](const auto&...) {}); // passes over them
+        m_items->read_items(element, {}, [](const auto&...) {}); // passes over them
       }
     }
     return std::move(m_shape);
@@ -378,7 +374,7 @@ private:
     const bool has_normals = m_contents != skeleton_content && element.has_numbers({"nx", "ny", "nz"});
     const bool has_radii = (m_contents & skeleton_content) != 0 && element.has_numbers({"radius"});
     m_shape.points.reserve(m_shape.points.size() + std::min(element.number_of_items, m_items->remaining() / 3 + 1));
-    const auto add = [&](std::size_t, const std::vector<double>& values) {
+    const auto add = [&](std::size_t, const std::vector<double>& values, const auto&) {
       m_shape.points.emplace_back(values[0], values[1], values[2]);
       if (has_normals) {
         m_shape.normals.emplace_back(values[3], values[4], values[5]);
@@ -387,16 +383,7 @@ private:
         m_shape.radii.push_back(values[6]);
       }
     };
-    m_items->read_numbers(element, {"x", "y", "z", "nx", "ny", "nz", "radius"}, add);
-  }
-
-  /// The list of vertices of each item; behind all properties if there is none.
-  static const Property* find_corners(const Element& element)
-  {
-    const Property* const properties = element.properties.data();
-    return std::find_if(properties, properties + element.properties.size(), [](const Property& p) {
-      return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
-    });
+    m_items->read_items(element, {"x", "y", "z", "nx", "ny", "nz", "radius"}, add);
   }
 
   void read_polygons(const Element& element)
@@ -404,40 +391,37 @@ private:
     const std::size_t max_number = std::min(element.number_of_items, m_items->remaining() / 3 + 1);
     m_shape.corners.reserve(3 * max_number);
     m_shape.first_corner.reserve(max_number + 1);
-    const Property* const corners = find_corners(element);
-    const auto add = [this, corners](std::size_t face, const Property& property, double number) {
-      if (&property == corners) {
-        m_shape.corners.push_back(to_index(number, "face", face));
+    m_items->read_items(element, {}, [this](std::size_t face, const auto&, const std::vector<double>& corners) {
+      for (const double corner : corners) {
+        m_shape.corners.push_back(to_index(corner, "face", face));
       }
-    };
-    m_items->read_items(element, add, [this](std::size_t) { m_shape.end_polygon(); });
+      m_shape.end_polygon();
+    });
   }
 
-  /// Reads strips of triangles, which -1 ends: a vertex makes one with the two before it, every other one turned.
+  /// Reads strips of triangles, which -1 ends.
   void read_strips(const Element& element)
   {
-    const Property* const corners = find_corners(element);
-    std::vector<Index> strip;
-    const auto add = [&](std::size_t item, const Property& property, double number) {
-      if (&property == corners && number == -1) {
-        strip.clear();
-      } else if (&property == corners) {
-        strip.push_back(to_index(number, "strip", item));
-        if (const std::size_t n = strip.size(); n > 2) {
-          m_shape.corners.insert(m_shape.corners.end(), {strip[n - 3], strip[n - 1 - n % 2], strip[n - 2 + n % 2]});
-          m_shape.end_polygon();
+    m_items->read_items(element, {}, [this](std::size_t item, const auto&, const std::vector<double>& corners) {
+      std::vector<Index> strip;
+      for (const double corner : corners) {
+        if (corner != -1) {
+          strip.push_back(to_index(corner, "strip", item));
+        } else {
+          m_shape.add_strip(std::exchange(strip, {}));
         }
       }
-    };
-    m_items->read_items(element, add, [&strip](std::size_t) { strip.clear(); });
+      m_shape.add_strip(strip);
+    });
   }
 
   void read_edges(const Element& element)
   {
     check_properties(element, {"vertex1", "vertex2"});
-    m_items->read_numbers(element, {"vertex1", "vertex2"}, [this](std::size_t edge, const std::vector<double>& ends) {
+    const auto add = [this](std::size_t edge, const std::vector<double>& ends, const auto&) {
       m_shape.lines.push_back({to_index(ends[0], "edge", edge), to_index(ends[1], "edge", edge)});
-    });
+    };
+    m_items->read_items(element, {"vertex1", "vertex2"}, add);
   }
 
   Index to_index(double number, const char* owner, std::size_t item) const
@@ -602,7 +586,7 @@ Shape_file parse_pcd(std::string_view content, const std::string& /* filename */
   const bool has_normals = points.has_numbers({"normal_x", "normal_y", "normal_z"});
   Shape_file shape;
   Item_scanner items(scanner, encoding == "ascii" ? std::nullopt : std::optional(Byte_order::little));
-  const auto add = [&](std::size_t, const std::vector<double>& v) {
+  const auto add = [&](std::size_t, const std::vector<double>& v, const auto&) {
     if (const Vector3 point(v[0], v[1], v[2]); point.allFinite()) {
       shape.points.push_back(point);
       if (has_normals) {
@@ -611,7 +595,7 @@ Shape_file parse_pcd(std::string_view content, const std::string& /* filename */
       }
     }
   };
-  items.read_numbers(points, {"x", "y", "z", "normal_x", "normal_y", "normal_z"}, add);
+  items.read_items(points, {"x", "y", "z", "normal_x", "normal_y", "normal_z"}, add);
   return shape;
 }
 

@@ -5,6 +5,7 @@
 // SWC. A table has coordinates separated by blanks, commas or semicolons, with or without names of columns.
 
 #include "IO/formats.h"
+#include "IO/merge_equal_points.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector3.h>
@@ -138,7 +139,7 @@ Point_columns find_columns(std::string_view text)
 /// The number that is all of a field of a table.
 std::optional<double> to_number(std::string_view field)
 {
-  field.remove_prefix(field.substr(0, 1) == "+" ? 1 : 0);
+  drop_prefix(field, "+");
   const char* const end = field.data() + field.size();
   double value = 0;
   return Text_scanner::read_number(field.data(), end, value) == end ? std::optional<double>(value) : std::nullopt;
@@ -294,28 +295,25 @@ Shape_file parse_polylines(std::string_view content, const std::string& /* filen
 {
   Text_scanner scanner(content);
   Shape_file shape;
-  boost::unordered_map<std::array<double, 3>, std::int64_t> nodes;
-  const auto next_node = [&] {
-    scanner.expect("the last point of a poly-line");
-    const Vector3 point = scanner.point_in_line(too_few_numbers) + Vector3::Zero(); // makes -0 equal to 0
-    const auto [place, is_new] =
-        nodes.try_emplace({point.x(), point.y(), point.z()}, std::int64_t(shape.points.size()));
-    if (is_new) {
-      shape.points.push_back(point);
-    }
-    return place->second;
-  };
   while (scanner.skip_blanks('#')) {
     const std::int64_t size = next_integer(scanner, "the number of points of a poly-line");
     if (size < 1) {
       scanner.fail("a poly-line has no points", "remove this line");
     }
-    std::int64_t previous = next_node();
-    for (std::int64_t i = 1; i < size; ++i) {
-      const std::int64_t next = next_node();
-      shape.lines.push_back({previous, next});
-      previous = next;
+    for (std::int64_t i = 0; i < size; ++i) {
+      scanner.expect("the last point of a poly-line");
+      if (i > 0) {
+        shape.lines.push_back({std::int64_t(shape.points.size()) - 1, std::int64_t(shape.points.size())});
+      }
+      shape.points.push_back(scanner.point_in_line(too_few_numbers) + Vector3::Zero()); // makes -0 equal to 0
     }
+  }
+  check_points(shape.points); // equal ones are found by indices
+  std::vector<Index> node;
+  merge_equal_points(shape.points, node);
+  for (auto& [source, target] : shape.lines) {
+    source = node[std::size_t(source)];
+    target = node[std::size_t(target)];
   }
   return shape;
 }

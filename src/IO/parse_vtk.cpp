@@ -88,9 +88,8 @@ public:
 
   Shape_file finish()
   {
-    m_shape.corners.insert(m_shape.corners.end(), m_strip_corners.begin(), m_strip_corners.end());
-    for (std::size_t i = 0; i < m_strip_corners.size(); i += 3) {
-      m_shape.first_corner.push_back(m_shape.first_corner.back() + 3);
+    for (const std::vector<Index>& strip : m_strips) {
+      m_shape.add_strip(strip);
     }
     m_shape.radii = complete_array(radius, 1);
     for (const double value : complete_array(is_opening, 1)) {
@@ -123,9 +122,7 @@ private:
       m_shape.corners.insert(m_shape.corners.end(), cell.begin(), cell.end());
       m_shape.end_polygon();
     } else if (kind == "strips" && has_faces) {
-      for (std::size_t i = 0; i + 2 < cell.size(); ++i) { // every other triangle is turned
-        m_strip_corners.insert(m_strip_corners.end(), {cell[i], cell[i + 1 + i % 2], cell[i + 2 - i % 2]});
-      }
+      m_strips.push_back(cell);
     } else if (kind == "lines" && (m_contents & skeleton_content) != 0) {
       for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
         m_shape.lines.push_back({cell[i], cell[i + 1]});
@@ -143,14 +140,14 @@ private:
   unsigned m_contents;
   Shape_file m_shape;
   std::map<std::string, Numbers> m_arrays;
-  std::vector<Index> m_strip_corners; ///< of their triangles, which come behind all polygons
+  std::vector<std::vector<Index>> m_strips; ///< whose triangles come behind all polygons
 };
 
 /// Reads XML PolyData, whose arrays may be text, Base64, or bytes appended to the XML, compressed by zlib or not.
-class Vtp_parser
+class Vtp_parser : private Vtk_collector
 {
 public:
-  Vtp_parser(std::string_view text, unsigned contents) : m_text(text), m_xml(text), m_collector(contents) {}
+  Vtp_parser(std::string_view text, unsigned contents) : Vtk_collector(contents), m_text(text), m_xml(text) {}
 
   Shape_file parse()
   {
@@ -164,10 +161,10 @@ public:
         close(name);
       } else if (is_section(name) && !m_xml.is_empty()) {
         m_section = name;
-        m_first_point = name == "Piece" ? m_collector.number_of_points() : m_first_point;
+        m_first_point = name == "Piece" ? number_of_points() : m_first_point;
       }
     }
-    return m_collector.finish();
+    return finish();
   }
 
 private:
@@ -176,16 +173,16 @@ private:
   void read_file_tag()
   {
     if (!m_xml.next() || m_xml.name() != "VTKFile") {
-      m_collector.fail("this is not a file of VTK: neither its first line nor its first tag says so");
+      fail("this is not a file of VTK: neither its first line nor its first tag says so");
     }
     if (m_xml.attribute("type") != "PolyData") {
-      m_collector.fail("the file does not hold PolyData, the only kind that is read");
+      fail("the file does not hold PolyData, the only kind that is read");
     }
     m_order = m_xml.attribute("byte_order") == "BigEndian" ? Byte_order::big : Byte_order::little;
     m_size_of_size = m_xml.attribute("header_type") == "UInt64" ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
     m_is_compressed = !m_xml.attribute("compressor").empty();
     if (m_is_compressed && m_xml.attribute("compressor") != "vtkZLibDataCompressor") {
-      m_collector.fail("only vtkZLibDataCompressor is read, but the file names another compressor");
+      fail("only vtkZLibDataCompressor is read, but the file names another compressor");
     }
     // Arrays may share data, but not so often that a small file fills the memory.
     constexpr std::size_t max_number_of_uses = 4;
@@ -207,7 +204,7 @@ private:
   void close(const std::string& name)
   {
     if (!m_corners.empty() || !m_ends.empty()) {
-      m_collector.add_cells(lower_case(name), m_corners, m_ends, m_first_point);
+      add_cells(lower_case(name), m_corners, m_ends, m_first_point);
     }
     m_corners.clear();
     m_ends.clear();
@@ -228,9 +225,9 @@ private:
   {
     const std::string name = lower_case(m_xml.attribute("Name"));
     if (m_section == "Points") {
-      m_collector.add_points(numbers());
-    } else if (m_section == "PointData" && Vtk_collector::is_wanted(name)) {
-      m_collector.add_array(name, numbers());
+      add_points(numbers());
+    } else if (m_section == "PointData" && is_wanted(name)) {
+      add_array(name, numbers());
     } else if (is_section_of_cells(m_section) && name == "connectivity") {
       m_corners = numbers();
     } else if (is_section_of_cells(m_section) && name == "offsets") {
@@ -257,7 +254,7 @@ private:
     std::uint64_t offset = 0;
     const bool is_number = std::from_chars(text.data(), text.data() + text.size(), offset).ec == std::errc();
     if (!is_number || offset > m_appended.size()) {
-      m_collector.fail("an array begins behind the end of the appended data");
+      fail("an array begins behind the end of the appended data");
     }
     return {m_appended.substr(offset), m_is_appended_base64};
   }
@@ -279,7 +276,7 @@ private:
   {
     const Number_type type = number_type(m_xml.attribute("type"));
     if (!type.is_valid()) {
-      m_collector.fail("an array has an unknown type");
+      fail("an array has an unknown type");
     }
     const std::string content = m_is_compressed ? decompress(bytes) : take(bytes);
     return to_vector({content.data(), type, m_order, type.size, content.size() / type.size});
@@ -290,7 +287,7 @@ private:
   {
     m_size += size;
     if (size > m_max_size || m_size > m_max_size) {
-      m_collector.fail("the arrays are larger than the file can hold");
+      fail("the arrays are larger than the file can hold");
     }
   }
 
@@ -316,7 +313,7 @@ private:
     const std::size_t size_of_block = next_size(bytes);
     const std::size_t size_of_last_block = next_size(bytes);
     if (number_of_blocks > bytes.max_remaining() / m_size_of_size) {
-      m_collector.fail("an array has more blocks than there is room for");
+      fail("an array has more blocks than there is room for");
     }
     std::vector<std::size_t> sizes;
     sizes.reserve(number_of_blocks);
@@ -334,7 +331,7 @@ private:
       result.resize(begin + size);
       if (inflated.sgetn(&result[begin], std::streamsize(size)) != std::streamsize(size) ||
           inflated.sgetc() != std::char_traits<char>::eof()) {
-        m_collector.fail("a block of an array has another size than its header says");
+        fail("a block of an array has another size than its header says");
       }
     }
     return result;
@@ -342,7 +339,6 @@ private:
 
   std::string_view m_text;
   Xml_scanner m_xml;
-  Vtk_collector m_collector;
   Byte_order m_order = Byte_order::little;
   std::size_t m_size_of_size = sizeof(std::uint32_t); ///< of a number in the header of an array, in bytes
   bool m_is_compressed = false;
@@ -357,10 +353,10 @@ private:
 };
 
 /// Reads legacy PolyData, ASCII or binary, of the versions to 4 and from 5.
-class Vtk_legacy_parser
+class Vtk_legacy_parser : private Vtk_collector
 {
 public:
-  Vtk_legacy_parser(std::string_view text, unsigned contents) : m_scanner(text), m_collector(contents) {}
+  Vtk_legacy_parser(std::string_view text, unsigned contents) : Vtk_collector(contents), m_scanner(text) {}
 
   Shape_file parse()
   {
@@ -377,7 +373,7 @@ public:
     while (m_scanner.skip_blanks()) {
       read_section(word("a keyword"));
     }
-    return m_collector.finish();
+    return finish();
   }
 
 private:
@@ -402,7 +398,7 @@ private:
     const auto kind = kinds.find(keyword);
     if (keyword == "POINTS") {
       const std::size_t number = count();
-      m_collector.add_points(numbers(number, 3, word("a type")));
+      add_points(numbers(number, 3, word("a type")));
     } else if (kind != kinds.end()) {
       read_cells(kind->second);
     } else if (keyword == "METADATA") {
@@ -431,7 +427,7 @@ private:
     } else {
       split_cells(numbers(size, 1, "int"), number, corners, ends);
     }
-    m_collector.add_cells(kind, corners, ends, 0);
+    add_cells(kind, corners, ends, 0);
   }
 
   /// \param all corners of `number` cells, before each cell its size
@@ -449,7 +445,7 @@ private:
       ends.push_back(double(corners.size()));
     }
     if (number > 0 || at != all.size()) {
-      m_collector.fail("the cells do not fill the room that their keyword promises");
+      fail("the cells do not fill the room that their keyword promises");
     }
   }
 
@@ -473,7 +469,7 @@ private:
       if (skip("LOOKUP_TABLE")) {
         word("the name of a table");
       }
-      add_array(name, numbers(m_number_of_tuples, number_of_components, type));
+      add_attribute(name, numbers(m_number_of_tuples, number_of_components, type));
     } else if (keyword == "COLOR_SCALARS") {
       numbers(m_number_of_tuples, count(), type_of_color);
     } else if (keyword == "LOOKUP_TABLE") {
@@ -481,7 +477,7 @@ private:
     } else if (const auto vector = vectors.find(keyword); vector != vectors.end() || keyword == "TEXTURE_COORDINATES") {
       const std::size_t number_of_components = vector != vectors.end() ? vector->second : count();
       const Numbers values = numbers(m_number_of_tuples, number_of_components, word("a type"));
-      add_array(keyword == "NORMALS" ? Vtk_collector::normals : "", values);
+      add_attribute(keyword == "NORMALS" ? normals : "", values);
     } else {
       m_scanner.fail("the keyword " + printable_keyword(keyword) + " is unknown", remedy);
     }
@@ -494,7 +490,7 @@ private:
       const std::string name = word("the name of an array");
       const std::size_t number_of_components = count();
       const std::size_t number_of_tuples = count();
-      add_array(name, numbers(number_of_tuples, number_of_components, word("a type")));
+      add_attribute(name, numbers(number_of_tuples, number_of_components, word("a type")));
       if (skip("METADATA")) {
         skip_metadata();
       }
@@ -520,11 +516,11 @@ private:
     return result;
   }
 
-  void add_array(const std::string& name, const Numbers& values)
+  void add_attribute(const std::string& name, const Numbers& values)
   {
     const std::string lower = lower_case(name);
-    if (m_is_at_points && Vtk_collector::is_wanted(lower)) {
-      m_collector.add_array(lower, values);
+    if (m_is_at_points && is_wanted(lower)) {
+      add_array(lower, values);
     }
   }
 
@@ -565,7 +561,6 @@ private:
   }
 
   Text_scanner m_scanner;
-  Vtk_collector m_collector;
   bool m_is_binary = false;
   bool m_is_at_points = false;
   std::size_t m_number_of_tuples = 0;

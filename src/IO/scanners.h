@@ -38,6 +38,14 @@ inline std::string lower_case(std::string_view text)
   return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
 }
 
+/// Removes `prefix` from the beginning of `text`. \return whether it was there
+inline bool drop_prefix(std::string_view& text, std::string_view prefix)
+{
+  const bool is_there = boost::algorithm::starts_with(text, prefix);
+  text.remove_prefix(is_there ? prefix.size() : 0);
+  return is_there;
+}
+
 /// How a number is stored.
 struct Number_type
 {
@@ -57,16 +65,12 @@ struct Number_type
 /// that is not valid for other names. \param size_of_long in bytes, as formats differ; 0 where `long` is not a type
 inline Number_type number_type(std::string_view name, std::size_t size_of_long = 0)
 {
-  std::string plain = boost::algorithm::erase_all_copy(lower_case(name), " ");
-  boost::algorithm::erase_all(plain, "_");
-  const auto skip = [&plain](std::string_view prefix) {
-    const bool is_there = boost::algorithm::starts_with(plain, prefix);
-    plain.erase(0, is_there ? prefix.size() : 0);
-    return is_there;
-  };
-  skip("met");     // of MetaImage
-  skip("vtktype"); // of VTK
-  const bool has_no_sign = skip("unsigned") || (!skip("signed") && skip("u"));
+  std::string letters = boost::algorithm::erase_all_copy(lower_case(name), " ");
+  boost::algorithm::erase_all(letters, "_");
+  std::string_view plain = letters;
+  drop_prefix(plain, "met");     // of MetaImage
+  drop_prefix(plain, "vtktype"); // of VTK
+  const bool has_no_sign = drop_prefix(plain, "unsigned") || (!drop_prefix(plain, "signed") && drop_prefix(plain, "u"));
   const std::map<std::string_view, Number_type> types{
       {"char", {'i', 1}},        {"int8", {'i', 1}},    {"int8t", {'i', 1}},     {"short", {'i', 2}},
       {"shortint", {'i', 2}},    {"int16", {'i', 2}},   {"int16t", {'i', 2}},    {"int", {'i', 4}},
@@ -353,11 +357,11 @@ public:
   }
 
   /// Reads three finite numbers of this line. \param too_few the message if there are fewer
-  Vector3 point_in_line(const char* too_few, const char* remedy = correct_line)
+  Vector3 point_in_line(const char* too_few)
   {
     Vector3 point = Vector3::Zero();
     for (double& number : point) {
-      expect_in_line(too_few, remedy);
+      expect_in_line(too_few);
       number = coordinate();
     }
     return point;
@@ -473,18 +477,12 @@ private:
   /// The `>` that ends the tag, which is not one within quotes.
   std::size_t end_of_tag(std::size_t begin) const
   {
-    char quote = 0;
-    for (std::size_t i = begin + 1; i < m_text.size(); ++i) {
-      const char c = m_text[i];
-      if (quote != 0) {
-        quote = c == quote ? char(0) : quote;
-      } else if (c == '"' || c == '\'') {
-        quote = c;
-      } else if (c == '>' && i > begin + 1) {
-        return i;
-      }
+    std::size_t end = m_text.find_first_of("\"'>", begin + 1);
+    while (end != std::string_view::npos && (m_text[end] != '>' || end == begin + 1)) {
+      end = m_text[end] == '>' ? end : m_text.find(m_text[end], end + 1); // over what is quoted
+      end = end == std::string_view::npos ? end : m_text.find_first_of("\"'>", end + 1);
     }
-    return std::string_view::npos;
+    return end;
   }
 
   std::string_view m_text;

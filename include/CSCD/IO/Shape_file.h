@@ -59,6 +59,14 @@ struct Shape_file
   }
   /// Ends the polygon whose corners were appended last.
   void end_polygon() { first_corner.push_back(corners.size()); }
+  /// Adds the triangles of a strip: a vertex makes one with the two before it, and every other one is turned.
+  void add_strip(const std::vector<Index>& strip)
+  {
+    for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+      corners.insert(corners.end(), {strip[i], strip[i + 1 + i % 2], strip[i + 2 - i % 2]});
+      end_polygon();
+    }
+  }
 };
 
 /// The endings of the meshes that are read, each with its dot.
