@@ -221,19 +221,19 @@ private:
     // The loop starts at the coarse source, which stands for several fine vertices.
     const Surface_level& level = m_levels[result.level];
     result.separator.source = level.to_finest(level.from_finest(source));
-    result.is_section = shorten_by_section(level, result.separator);
+    result.is_section = shorten_by_section(result.separator);
     if (!result.is_section && !shorten_by_straightening(level, result.separator)) {
       result.outcome = Search_outcome::degenerate;
     }
   }
 
   /// Replaces the vertex loop, whose measures `separator` has, by the shortest of a few plane sections around it.
-  bool shorten_by_section(const Surface_level& level, Separator& separator)
+  bool shorten_by_section(Separator& separator)
   {
     const double loop_length = separator.length;
     const Vector3 loop_center = separator.center;
     const bool is_on_sheet = side_of_sheet(separator.source) != 0;
-    const Vector3 loop_normal = is_on_sheet ? border_axis_at_loop(level, separator) : separator.normal;
+    const Vector3 loop_normal = separator.normal;
     const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
     Vector3 axis = loop_normal;
     double best_length = std::numeric_limits<double>::max();
@@ -264,39 +264,6 @@ private:
       }
     }
     return best_length < std::numeric_limits<double>::max();
-  }
-
-  /// The mean direction of the borders of a sheet where the vertex loop crosses them. The area that the loop encloses
-  /// between the two sides is too small for a normal.
-  Vector3 border_axis_at_loop(const Surface_level& level, const Separator& separator) const
-  {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t i = 0; i < m_loop.size(); ++i) {
-      const Index next = m_loop[i + 1 < m_loop.size() ? i + 1 : 0];
-      if (side_of_sheet(level.to_finest(m_loop[i])) != side_of_sheet(level.to_finest(next))) {
-        const Vector3 direction = border_direction(level, m_loop[i]);
-        sum += direction.dot(sum) < 0 ? Vector3(-direction) : direction;
-      }
-    }
-    return sum.norm() > 0 ? Vector3(sum.normalized()) : separator.normal;
-  }
-
-  /// From one neighbor of `vertex` along the border to the other.
-  Vector3 border_direction(const Surface_level& level, Index vertex) const
-  {
-    const Triangulated_surface& surface = level.surface;
-    const auto side = [&](Index v) { return side_of_sheet(level.to_finest(v)); };
-    Vector3 sum = Vector3::Zero();
-    for (const Index h : surface.outgoing(vertex)) {
-      const Index neighbor = surface.target(h);
-      const bool is_left = side(surface.opposite_vertex(h)) != side(vertex);
-      const bool is_right = side(surface.opposite_vertex(surface.twin(h))) != side(vertex);
-      if (side(neighbor) == side(vertex) && is_left != is_right) {
-        const Vector3 edge = (surface.point(neighbor) - surface.point(vertex)).normalized();
-        sum += is_left ? edge : Vector3(-edge);
-      }
-    }
-    return sum;
   }
 
   /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
