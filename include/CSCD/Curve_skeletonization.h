@@ -85,18 +85,24 @@ public:
   /// Each setter returns the object, so that calls chain.
   /// @{
 
+  /// The seed for the order of trying sources.
+  unsigned random_seed() const { return m_settings.random_seed; }
   /// Sets the seed for the order of trying sources. Default 0.
   Curve_skeletonization& set_random_seed(unsigned seed)
   {
     m_settings.random_seed = seed;
     return *this;
   }
+  /// The bound on the number of sources.
+  std::size_t maximum_number_of_sources() const { return m_settings.maximum_number_of_sources; }
   /// Bounds the number of sources. By default, the shape decides.
   Curve_skeletonization& set_maximum_number_of_sources(std::size_t number)
   {
     m_settings.maximum_number_of_sources = number;
     return *this;
   }
+  /// The number of threads for `CGAL::Parallel_tag`.
+  unsigned number_of_threads() const { return m_number_of_threads; }
   /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, means as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {

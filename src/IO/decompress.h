@@ -135,7 +135,7 @@ public:
   ~Inflating_buffer() override { inflateEnd(&m_stream); }
 
 protected:
-  /// Decompresses no more than is asked for: what follows may be damaged.
+  /// Decompresses no more than is asked for: later bytes may be damaged.
   std::streamsize xsgetn(char* bytes, std::streamsize size) override
   {
     std::streamsize done = 0;

@@ -479,7 +479,7 @@ private:
   {
     std::size_t end = m_text.find_first_of("\"'>", begin + 1);
     while (end != std::string_view::npos && (m_text[end] != '>' || end == begin + 1)) {
-      end = m_text[end] == '>' ? end : m_text.find(m_text[end], end + 1); // over what is quoted
+      end = m_text[end] == '>' ? end : m_text.find(m_text[end], end + 1); // over the quoted text
       end = end == std::string_view::npos ? end : m_text.find_first_of("\"'>", end + 1);
     }
     return end;
