@@ -431,10 +431,8 @@ inline std::vector<char> find_loop_vertices(const Cut_locus_indicators<Tangent_f
   }
   std::vector<std::size_t> core(triangulation.number_of_vertices());
   boost::core_numbers(graph, boost::make_iterator_property_map(core.begin(), get(boost::vertex_index, graph)));
-  std::vector<char> result;
-  for (const std::size_t number : core) {
-    result.push_back(number > 1 ? 1 : 0);
-  }
+  std::vector<char> result(core.size());
+  std::transform(core.begin(), core.end(), result.begin(), [](std::size_t number) { return char(number > 1); });
   return result;
 }
 
