@@ -414,6 +414,7 @@ inline std::vector<char> separators_around_hollows(const Triangulated_solid& sol
     const std::vector<Edge_crossing> curve = loops.curve(loop);
     bool is_linked = false;
     for (const Index crossed : loop.crossed) {
+      // Linking compares curves that cross once.
       if (std::count(loop.crossed.begin(), loop.crossed.end(), crossed) == 1) {
         is_done[crossed] = 1;
         const Linking linking(surface, separators[packed[crossed]].crossings, curve);
